@@ -1,0 +1,15 @@
+#include "kernel/delaunay.h"
+
+#include <utility>
+
+#include "kernel/lifted_hull.h"
+
+namespace tetsculpt {
+
+TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options) {
+  LiftedHull hull = lifted_hull(points.points, {.progress = options.progress});
+  if (hull.tets.empty()) return {};
+  return TetComplex(std::move(hull), points.points.size());
+}
+
+}  // namespace tetsculpt

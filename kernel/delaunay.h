@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "kernel/distinct_points.h"
+#include "kernel/tet_complex.h"
+
+/// The Delaunay tetrahedralization of a point set.
+namespace tetsculpt {
+
+struct DelaunayOptions {
+  /// Told now and then which share of the points is in, from 0 to 1.
+  std::function<void(double)> progress;
+};
+
+/// DT(P), ties broken by kernel/perturbation: one function of the point set. No tetrahedron is flat, and
+/// every point is a vertex. Without any simplex if the points do not span a solid (all equal, on a
+/// line, or in a plane; first_simplex tells which). Cost: see kernel/lifted_hull.h.
+TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options = {});
+
+}  // namespace tetsculpt

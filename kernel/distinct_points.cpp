@@ -1,0 +1,149 @@
+#include "kernel/distinct_points.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "kernel/radix_sort.h"
+
+namespace tetsculpt {
+namespace {
+
+constexpr std::size_t kMaxPoints = 100'000'000;  // tetrahedra and their facets then have 32-bit ids
+
+/// The binary range of a set of numbers: all are below 2^top and multiples of 2^unit.
+struct BinaryRange {
+  int top = std::numeric_limits<int>::min();
+  int unit = std::numeric_limits<int>::max();
+  std::size_t unit_at = 0;  ///< the point that holds the lowest set bit
+
+  void include(double x, std::size_t point) {
+    if (x == 0) return;
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const int field = static_cast<int>((bits >> 52) & 0x7ff);
+    std::uint64_t mantissa = bits & ((1ull << 52) - 1);
+    if (field != 0) mantissa |= 1ull << 52;
+    const int lowest = std::max(field, 1) - 1075;
+    top = std::max(top, lowest + static_cast<int>(std::bit_width(mantissa)));
+    const int trailing = lowest + static_cast<int>(std::countr_zero(mantissa));
+    if (trailing < unit) {
+      unit = trailing;
+      unit_at = point;
+    }
+  }
+};
+
+BinaryRange range_of(std::span<const Point3> points) {
+  BinaryRange range;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    range.include(points[i].x, i);
+    range.include(points[i].y, i);
+    range.include(points[i].z, i);
+  }
+  return range;
+}
+
+void require_finite(std::span<const Point3> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3& p = points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      throw InvalidPoint(i, "a coordinate is not a finite number");
+    }
+  }
+}
+
+/// The power of two nearest to none that brings the range into the exact one.
+int scale_exponent(const BinaryRange& range) {
+  const int lowest = kMinExponent - range.unit;
+  const int highest = kMaxExponent - range.top;
+  if (lowest > highest) {
+    throw InvalidPoint(range.unit_at,
+                       "the coordinates of the set span " +
+                           std::to_string(range.top - range.unit) +
+                           " binary orders of magnitude, more than the " +
+                           std::to_string(kMaxExponent - kMinExponent) +
+                           " in which arithmetic is exact; this point has the smallest digit");
+  }
+  return std::clamp(0, lowest, highest);
+}
+
+/// Input indices in lexicographic order of their points, equal points by index.
+std::vector<KeyedIndex> lexicographic_order(std::span<const Point3> points) {
+  std::vector<KeyedIndex> order(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    order[i] = {ordered_bits(points[i].x), static_cast<std::uint32_t>(i)};
+  }
+  radix_sort(order);
+  const auto less = [&](const KeyedIndex& a, const KeyedIndex& b) {
+    const Point3& p = points[a.index];
+    const Point3& q = points[b.index];
+    return p == q ? a.index < b.index : lexicographically_less(p, q);
+  };
+  for (auto first = order.begin(); first != order.end();) {
+    auto last = first + 1;
+    while (last != order.end() && last->key == first->key) ++last;
+    if (last - first > 1) std::sort(first, last, less);
+    first = last;
+  }
+  return order;
+}
+
+}  // namespace
+
+DistinctPoints distinct_points(std::span<const Point3> points) {
+  if (points.size() > kMaxPoints) throw std::length_error("more than 100 million points");
+  DistinctPoints result;
+  require_finite(points);
+  const BinaryRange range = range_of(points);
+  if (range.top > range.unit) result.scale_exponent = scale_exponent(range);
+  result.vertex_of_input.resize(points.size());
+  result.points.reserve(points.size());
+  const int scale = result.scale_exponent;
+  for (const KeyedIndex& item : lexicographic_order(points)) {
+    Point3 p = points[item.index];
+    if (scale != 0) p = {std::ldexp(p.x, scale), std::ldexp(p.y, scale), std::ldexp(p.z, scale)};
+    if (result.points.empty() || !(result.points.back() == p)) {
+      result.points.push_back(p);
+      result.first_input.push_back(item.index);
+    }
+    result.vertex_of_input[item.index] =
+        VertexId{static_cast<std::uint32_t>(result.points.size() - 1)};
+  }
+  return result;
+}
+
+int unit_exponent(std::span<const Point3> points) {
+  const BinaryRange range = range_of(points);
+  return range.top > range.unit ? range.unit : 0;
+}
+
+std::optional<std::string> broken_invariant(const DistinctPoints& distinct,
+                                            std::span<const Point3> input) {
+  const auto& points = distinct.points;
+  if (distinct.vertex_of_input.size() != input.size()) return "an input point has no vertex";
+  if (distinct.first_input.size() != points.size()) return "a vertex has no input point";
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (v > 0 && !lexicographically_less(points[v - 1], points[v])) {
+      return "vertices " + std::to_string(v - 1) + " and " + std::to_string(v) +
+             " are out of order";
+    }
+    if (distinct.first_input[v] >= input.size()) return "a first input index is out of range";
+  }
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const std::size_t v = +distinct.vertex_of_input[i];
+    if (v >= points.size()) return "input " + std::to_string(i) + " has a vertex out of range";
+    const Point3& p = points[v];
+    const int back = -distinct.scale_exponent;
+    if (!(Point3{std::ldexp(p.x, back), std::ldexp(p.y, back), std::ldexp(p.z, back)} ==
+          input[i])) {
+      return "input " + std::to_string(i) + " is not its vertex";
+    }
+    if (distinct.first_input[v] > i) {
+      return "vertex " + std::to_string(v) + " does not name its first input point";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace tetsculpt

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/ids.h"
+#include "kernel/point.h"
+#include "kernel/tet_complex.h"
+
+/// The one total order of edges: by exact length, ties by their end points in lexicographic order.
+namespace tetsculpt {
+
+/// One flag per simplex, indexed by its id.
+using Flags = std::vector<std::uint8_t>;
+
+/// The edges whose flag is set, shortest first. Cost: a radix sort; exact comparisons only between
+/// edges whose lengths agree to 15 digits.
+std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetComplex& complex,
+                                    const Flags& chosen);
+
+}  // namespace tetsculpt

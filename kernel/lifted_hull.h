@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "kernel/ids.h"
+#include "kernel/point.h"
+
+/// Delaunay tetrahedralization as the lower convex hull of the points lifted to a paraboloid in 4D.
+namespace tetsculpt {
+
+/// One facet of a tetrahedron: 4 * tetrahedron + the corner opposite the facet.
+using FacetHandle = std::uint32_t;
+
+/// The tetrahedra, finite ones first, then one infinite tetrahedron per triangle of the convex hull.
+struct LiftedHull {
+  /// Corners. Finite tetrahedra are positively oriented (orient3d of the corners is kPositive); one
+  /// corner of an infinite one is kInfinite. A triangle has opposite orientations in its two sides.
+  std::vector<std::array<VertexId, 4>> tets;
+  /// Per corner i, the facet opposite i as its other side sees it.
+  std::vector<std::array<FacetHandle, 4>> neighbors;
+  std::size_t finite_count = 0;
+};
+
+struct LiftedHullOptions {
+  /// Told now and then which share of the points is in, from 0 to 1.
+  std::function<void(double)> progress;
+};
+
+/// Quickhull on the lifted points and the point at infinity above them. The perturbation makes all
+/// points extreme and the result one function of the point set.
+/// Precondition: `points` are distinct, in lexicographic order and in the exact domain
+/// (kernel/distinct_points.h). Empty if no four of them span a solid.
+/// [Barber, Dobkin, Huhdanpaa 1996; Brown 1979]
+/// Cost: O(n log n) expected plus linear in the tetrahedra created.
+LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options = {});
+
+}  // namespace tetsculpt

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kernel/ids.h"
+#include "kernel/lifted_hull.h"
+#include "kernel/point.h"
+
+/// The Delaunay complex with explicit vertices, edges, triangles and tetrahedra: the paper's data
+/// structure (section 4). It knows no coordinates.
+namespace tetsculpt {
+
+///        0          Tetrahedron (v0, v1, v2, v3): facet i is opposite corner i. orient3d of the corners
+///       /|\         is positive, and facet i listed as kFacetCorners[i] looks counterclockwise from
+///      / | \        outside. Edge k joins the corners kEdgeCorners[k]; edge 5 - k is opposite to it.
+///     1--|--3
+///      \ | /        Infinite tetrahedra, with kInfinite as one corner, close the complex outside the
+///        2          convex hull: finite ones have ids below finite_tet_count().
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetCorners{
+    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+inline constexpr std::array<std::array<std::uint8_t, 2>, 6> kEdgeCorners{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+/// The edge that joins two corners of a tetrahedron.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kEdgeOfCorners{
+    {{9, 0, 1, 2}, {0, 9, 3, 4}, {1, 3, 9, 5}, {2, 4, 5, 9}}};
+
+/// A facet as one tetrahedron sees it.
+struct Facet {
+  TetId tet;
+  int corner;  ///< the one opposite the facet
+};
+
+class TetComplex {
+ public:
+  /// No simplex at all.
+  TetComplex() = default;
+  /// Takes the tetrahedra of a hull over `vertex_count` points and finds its triangles and edges.
+  /// Cost: linear; 8 to 10 words per tetrahedron.
+  TetComplex(LiftedHull hull, std::size_t vertex_count);
+
+  std::size_t vertex_count() const { return tet_of_vertex_.size(); }
+  std::size_t edge_count() const { return edges_.size(); }
+  std::size_t triangle_count() const { return facet_of_triangle_.size(); }
+  std::size_t finite_tet_count() const { return finite_count_; }
+  /// Finite and infinite tetrahedra.
+  std::size_t tet_count() const { return tets_.size(); }
+
+  bool finite(TetId t) const { return +t < finite_count_; }
+  const std::array<VertexId, 4>& vertices(TetId t) const { return tets_[+t]; }
+  /// The facet opposite `corner`, as the tetrahedron on its other side sees it.
+  Facet across(TetId t, int corner) const {
+    const FacetHandle h = neighbors_[+t][static_cast<std::size_t>(corner)];
+    return {TetId{h >> 2}, static_cast<int>(h & 3)};
+  }
+  TetId neighbor(TetId t, int corner) const { return across(t, corner).tet; }
+  /// Only finite triangles and edges have ids: precondition, their corners are finite.
+  TriangleId triangle(TetId t, int corner) const {
+    return triangles_of_tet_[+t][static_cast<std::size_t>(corner)];
+  }
+  EdgeId edge(TetId t, int edge) const { return edges_of_tet_[+t][static_cast<std::size_t>(edge)]; }
+
+  /// The triangle in its first tetrahedron, which is finite; across() gives the other one.
+  Facet facet(TriangleId t) const {
+    const FacetHandle h = facet_of_triangle_[+t];
+    return {TetId{h >> 2}, static_cast<int>(h & 3)};
+  }
+  /// Corners, counterclockwise from outside the first tetrahedron.
+  std::array<VertexId, 3> vertices(TriangleId t) const;
+  /// Its edges; edge i is opposite corner i.
+  std::array<EdgeId, 3> edges(TriangleId t) const;
+
+  /// The end points, lower id first.
+  const std::array<VertexId, 2>& vertices(EdgeId e) const { return edges_[+e].vertices; }
+  /// One triangle at the edge.
+  TriangleId triangle(EdgeId e) const { return edges_[+e].triangle; }
+  /// Some finite tetrahedron at the vertex.
+  TetId tet(VertexId v) const { return tet_of_vertex_[+v]; }
+
+  /// Turns around the edge through all its tetrahedra, finite or not, starting at the one triangle it
+  /// stores: calls visit(Facet, VertexId) once per triangle at the edge, with that triangle's third
+  /// vertex (kInfinite outside the hull), in cyclic order. Stops early when visit returns false.
+  template <class Visit>
+  void turn(EdgeId e, Visit&& visit) const;
+
+ private:
+  struct Edge {
+    std::array<VertexId, 2> vertices;
+    TriangleId triangle;
+  };
+  void find_triangles();
+  void find_edges();
+  /// The same as turn, from any tetrahedron at the edge between two of its corners:
+  /// visit(tetrahedron, corner a, corner b, corner ahead).
+  template <class Visit>
+  void turn_from(TetId start, int a, int b, Visit&& visit) const;
+
+  std::size_t finite_count_ = 0;
+  std::vector<std::array<VertexId, 4>> tets_;
+  std::vector<std::array<FacetHandle, 4>> neighbors_;
+  std::vector<std::array<TriangleId, 4>> triangles_of_tet_;
+  std::vector<std::array<EdgeId, 6>> edges_of_tet_;
+  std::vector<FacetHandle> facet_of_triangle_;
+  std::vector<Edge> edges_;
+  std::vector<TetId> tet_of_vertex_;
+};
+
+/// The first violation of what this header promises, if any. Cost: linear, in exact arithmetic.
+std::optional<std::string> broken_invariant(const TetComplex& complex,
+                                            std::span<const Point3> points);
+
+/// The corner of a tetrahedron at which v is. Precondition: v is one of its corners.
+inline int corner_of(const std::array<VertexId, 4>& tet, VertexId v) {
+  assert(tet[0] == v || tet[1] == v || tet[2] == v || tet[3] == v);
+  return tet[0] == v ? 0 : tet[1] == v ? 1 : tet[2] == v ? 2 : 3;
+}
+
+template <class Visit>
+void TetComplex::turn_from(TetId start, int a, int b, Visit&& visit) const {
+  const VertexId va = tets_[+start][static_cast<std::size_t>(a)];
+  const VertexId vb = tets_[+start][static_cast<std::size_t>(b)];
+  TetId t = start;
+  // The two other corners: leave through the facet opposite `behind`, which holds `ahead`.
+  const int edge = kEdgeOfCorners[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+  const auto& others = kEdgeCorners[static_cast<std::size_t>(5 - edge)];
+  int behind = others[0];
+  int ahead = others[1];
+  do {
+    if (!visit(t, a, b, ahead)) return;
+    const VertexId v_ahead = tets_[+t][static_cast<std::size_t>(ahead)];
+    const Facet next = across(t, behind);
+    t = next.tet;
+    const auto& c = tets_[+t];
+    a = corner_of(c, va);
+    b = corner_of(c, vb);
+    behind = corner_of(c, v_ahead);
+    ahead = next.corner;
+  } while (t != start);
+}
+
+template <class Visit>
+void TetComplex::turn(EdgeId e, Visit&& visit) const {
+  const Facet first = facet(edges_[+e].triangle);
+  const auto& c = tets_[+first.tet];
+  const int a = corner_of(c, edges_[+e].vertices[0]);
+  const int b = corner_of(c, edges_[+e].vertices[1]);
+  turn_from(first.tet, a, b, [&](TetId t, int i, int j, int ahead) {
+    // The triangle (i, j, ahead) is opposite the fourth corner, which is "behind".
+    return visit(Facet{t, 6 - i - j - ahead}, tets_[+t][static_cast<std::size_t>(ahead)]);
+  });
+}
+
+}  // namespace tetsculpt

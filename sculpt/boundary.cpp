@@ -1,0 +1,122 @@
+#include "sculpt/boundary.h"
+
+namespace tetsculpt {
+
+Boundary::Boundary(const TetComplex& complex)
+    : complex_(&complex),
+      solid_(complex.tet_count(), 0),
+      triangle_(complex.triangle_count(), 0),
+      triangles_at_edge_(complex.edge_count(), 0),
+      triangles_at_vertex_(complex.vertex_count(), 0),
+      hidden_(complex.vertex_count()) {
+  for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
+    solid_[t] = 1;
+    for (int i = 0; i < 4; ++i) {
+      if (!complex.finite(complex.neighbor(TetId{t}, i))) toggle(TetId{t}, i);
+    }
+  }
+}
+
+/// Puts a triangle on the boundary or takes it off.
+void Boundary::toggle(TetId t, int corner) {
+  const auto& facet = kFacetCorners[static_cast<std::size_t>(corner)];
+  const auto& v = complex_->vertices(t);
+  std::uint8_t& on = triangle_[+complex_->triangle(t, corner)];
+  on ^= 1;
+  const std::uint32_t change = on ? 1u : 0xffffffffu;
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangles_at_edge_[+complex_->edge(t, kEdgeOfCorners[facet[i]][facet[(i + 1) % 3]])] += change;
+    std::uint32_t& count = triangles_at_vertex_[+v[facet[i]]];
+    if (on && count == 0) --hidden_;
+    count += change;
+    if (!on && count == 0) ++hidden_;
+  }
+}
+
+void Boundary::remove(TetId t) {
+  assert(solid(t));
+  solid_[+t] = 0;
+  for (int i = 0; i < 4; ++i) toggle(t, i);
+}
+
+std::vector<VertexId> Boundary::hidden_vertices() const {
+  std::vector<VertexId> hidden;
+  for (std::uint32_t v = 0; v < triangles_at_vertex_.size() && hidden.size() < hidden_; ++v) {
+    if (triangles_at_vertex_[v] == 0) hidden.push_back(VertexId{v});
+  }
+  return hidden;
+}
+
+Exposure exposure(const Boundary& boundary, TetId t) {
+  const TetComplex& complex = boundary.complex();
+  Exposure e;
+  int opposite = 0;  // with one boundary face, the corner opposite to it
+  for (int i = 0; i < 4; ++i) {
+    const bool on = !boundary.solid(complex.neighbor(t, i));
+    e.on_boundary[static_cast<std::size_t>(i)] = on;
+    e.faces += on;
+    if (on) opposite = i;
+  }
+  if (e.faces == 1) {
+    e.removable = !boundary.on_boundary(complex.vertices(t)[static_cast<std::size_t>(opposite)]);
+  } else if (e.faces == 2) {
+    // Facets i and j are opposite corners i and j: their common edge joins the other two corners, and
+    // the edge opposite to it joins i and j.
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto [i, j] = kEdgeCorners[k];
+      if (e.on_boundary[i] && e.on_boundary[j]) e.opposite_edge = static_cast<int>(k);
+    }
+    e.removable = !boundary.on_boundary(complex.edge(t, e.opposite_edge));
+  }
+  return e;
+}
+
+std::vector<std::array<VertexId, 3>> boundary_triangles(const TetComplex& complex,
+                                                        const Flags& solid) {
+  std::vector<std::array<VertexId, 3>> triangles;
+  for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
+    if (!solid[t]) continue;
+    const auto& v = complex.vertices(TetId{t});
+    for (int i = 0; i < 4; ++i) {
+      if (solid[+complex.neighbor(TetId{t}, i)]) continue;
+      const auto& c = kFacetCorners[static_cast<std::size_t>(i)];
+      triangles.push_back({v[c[0]], v[c[1]], v[c[2]]});
+    }
+  }
+  return triangles;
+}
+
+std::optional<std::string> broken_invariant(const Boundary& boundary) {
+  const TetComplex& complex = boundary.complex();
+  Flags triangle(complex.triangle_count(), 0);
+  Flags edge(complex.edge_count(), 0);
+  Flags vertex(complex.vertex_count(), 0);
+  for (std::uint32_t t = 0; t < triangle.size(); ++t) {
+    const Facet f = complex.facet(TriangleId{t});
+    if (boundary.solid(f.tet) == boundary.solid(complex.neighbor(f.tet, f.corner))) continue;
+    triangle[t] = 1;
+    for (const EdgeId e : complex.edges(TriangleId{t})) edge[+e] = 1;
+    for (const VertexId v : complex.vertices(TriangleId{t})) vertex[+v] = 1;
+  }
+  for (std::uint32_t t = 0; t < triangle.size(); ++t) {
+    if (boundary.on_boundary(TriangleId{t}) != (triangle[t] != 0)) {
+      return "triangle " + std::to_string(t) + " is wrongly marked";
+    }
+  }
+  for (std::uint32_t e = 0; e < edge.size(); ++e) {
+    if (boundary.on_boundary(EdgeId{e}) != (edge[e] != 0)) {
+      return "edge " + std::to_string(e) + " is wrongly counted";
+    }
+  }
+  std::size_t hidden = 0;
+  for (std::uint32_t v = 0; v < vertex.size(); ++v) {
+    hidden += vertex[v] == 0;
+    if (boundary.on_boundary(VertexId{v}) != (vertex[v] != 0)) {
+      return "vertex " + std::to_string(v) + " is wrongly counted";
+    }
+  }
+  if (hidden != boundary.hidden_count()) return "the hidden vertices are wrongly counted";
+  return std::nullopt;
+}
+
+}  // namespace tetsculpt

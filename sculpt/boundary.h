@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/edge_order.h"
+#include "kernel/ids.h"
+#include "kernel/tet_complex.h"
+
+/// The solid being sculpted and its boundary.
+namespace tetsculpt {
+
+/// A set of tetrahedra of a complex (at first all finite ones), with the triangles between it and the
+/// rest. A vertex or edge is on the boundary if a boundary triangle holds it. All updates and queries
+/// take constant time and allocate nothing.
+class Boundary {
+ public:
+  /// Keeps a reference to the complex, which must outlive it.
+  explicit Boundary(const TetComplex& complex);
+
+  const TetComplex& complex() const { return *complex_; }
+  bool solid(TetId t) const { return solid_[+t] != 0; }
+  const Flags& solid() const { return solid_; }
+  bool on_boundary(TriangleId t) const { return triangle_[+t] != 0; }
+  bool on_boundary(EdgeId e) const { return triangles_at_edge_[+e] != 0; }
+  bool on_boundary(VertexId v) const { return triangles_at_vertex_[+v] != 0; }
+  /// Finite vertices that are not on the boundary.
+  std::size_t hidden_count() const { return hidden_; }
+  std::vector<VertexId> hidden_vertices() const;
+
+  /// Takes a solid tetrahedron off the solid.
+  void remove(TetId t);
+
+ private:
+  void toggle(TetId t, int corner);
+
+  const TetComplex* complex_;
+  Flags solid_;
+  Flags triangle_;
+  std::vector<std::uint32_t> triangles_at_edge_;
+  std::vector<std::uint32_t> triangles_at_vertex_;
+  std::size_t hidden_;
+};
+
+/// How a tetrahedron meets the boundary, and whether the basic rules allow its removal.
+struct Exposure {
+  int faces = 0;          ///< boundary faces
+  bool removable = false; ///< one face and the opposite vertex hidden, or two and the opposite edge
+  std::array<bool, 4> on_boundary{};  ///< per facet
+  int opposite_edge = -1;  ///< with two faces: the tetrahedron's edge that joins the other two facets
+};
+
+/// Classifies a solid tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
+/// 2-manifold of the same topology: never with three or four boundary faces.
+Exposure exposure(const Boundary& boundary, TetId t);
+
+/// The boundary triangles of a set of tetrahedra, counterclockwise from outside the solid, in the order
+/// of the tetrahedra.
+std::vector<std::array<VertexId, 3>> boundary_triangles(const TetComplex& complex,
+                                                        const Flags& solid);
+
+/// Compares every count with one made anew. Cost: linear.
+std::optional<std::string> broken_invariant(const Boundary& boundary);
+
+}  // namespace tetsculpt

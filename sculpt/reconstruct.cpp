@@ -1,0 +1,109 @@
+#include "sculpt/reconstruct.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "kernel/delaunay.h"
+#include "kernel/emst.h"
+#include "kernel/first_simplex.h"
+#include "kernel/gabriel.h"
+#include "sculpt/sculpt_paper.h"
+
+namespace tetsculpt {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap or the start.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A stage's own progress callback, empty if the caller gave none.
+std::function<void(double)> stage_progress(const ReconstructOptions& options,
+                                           std::string_view stage) {
+  if (!options.progress) return {};
+  options.progress(stage, 0);
+  return [&options, stage](double done) { options.progress(stage, done); };
+}
+
+std::size_t count(const Flags& flags) {
+  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
+
+Constraints constraints(std::span<const Point3> points, const TetComplex& complex, int threads,
+                        Reconstruction::Counts& counts) {
+  const Flags gabriel = gabriel_edges(points, complex, threads);
+  const auto tree = emst(complex, edges_by_length(points, complex, gabriel));
+  Egh egh = extended_gabriel_hypergraph(points, complex, gabriel);
+  counts.gabriel_edges = count(gabriel);
+  counts.emst_edges = tree.size();
+  counts.egh_edges = count(egh.edges);
+  counts.egh_triangles = count(egh.triangles);
+  Constraints result{std::move(egh.triangles), Flags(complex.edge_count(), 0)};
+  for (const EdgeId e : tree) result.emst_edges[+e] = 1;
+  return result;
+}
+
+/// Renumbers a surface over lexicographic vertex ids to the order of the input and fills in the rest.
+void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
+                const TetComplex& complex, const Sculpture& sculpture, Reconstruction& out) {
+  std::vector<std::uint32_t> index(distinct.points.size(), 0);
+  for (const VertexId v : sculpture.hidden) {
+    index[+v] = Reconstruction::kHidden;
+    out.hidden.push_back(distinct.first_input[+v]);
+  }
+  std::sort(out.hidden.begin(), out.hidden.end());
+  out.vertex_of_input.resize(input.size());
+  out.mesh.points.reserve(index.size() - sculpture.hidden.size());
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const VertexId v = distinct.vertex_of_input[i];
+    if (distinct.first_input[+v] == i && index[+v] != Reconstruction::kHidden) {
+      index[+v] = static_cast<std::uint32_t>(out.mesh.points.size());
+      out.mesh.points.push_back(input[i]);
+    }
+    out.vertex_of_input[i] = index[+v];
+  }
+  for (const auto& [a, b, c] : boundary_triangles(complex, sculpture.solid)) {
+    out.mesh.triangles.push_back({index[+a], index[+b], index[+c]});
+  }
+}
+
+}  // namespace
+
+Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOptions& options) {
+  Reconstruction out;
+  Stopwatch watch;
+  const DistinctPoints distinct = distinct_points(points);
+  const TetComplex complex =
+      delaunay(distinct, {.progress = stage_progress(options, "delaunay")});
+  out.counts.vertices = distinct.points.size();
+  out.counts.tetrahedra = complex.finite_tet_count();
+  out.seconds.delaunay = watch.lap();
+  out.span = complex.tet_count() > 0
+                 ? Span::kSolid
+                 : static_cast<Span>(first_simplex(distinct.points).size);
+  if (out.span != Span::kSolid) return out;
+
+  stage_progress(options, "graphs");
+  const Constraints held_back =
+      constraints(distinct.points, complex, options.threads, out.counts);
+  out.seconds.graphs = watch.lap();
+
+  const PaperOptions paper{.criterion = options.criterion,
+                           .progress = stage_progress(options, "sculpt")};
+  const Sculpture sculpture = sculpt_paper(distinct.points, complex, held_back, paper);
+  out.counts.holes = sculpture.holes.size();
+  write_mesh(points, distinct, complex, sculpture, out);
+  out.seconds.sculpt = watch.lap();
+  return out;
+}
+
+}  // namespace tetsculpt

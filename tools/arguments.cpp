@@ -1,0 +1,173 @@
+#include "tools/arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "io/write_mesh.h"
+
+namespace tetsculpt::cli {
+namespace {
+
+template <class Value>
+using Named = std::pair<std::string_view, Value>;
+
+constexpr std::array<Named<Method>, 1> kMethods{{{"paper", Method::kPaper}}};
+constexpr std::array<Named<Criterion>, 4> kCriteria{{{"area", Criterion::kMinimalArea},
+                                                     {"gamma", Criterion::kGamma},
+                                                     {"longest", Criterion::kLongestEdge},
+                                                     {"constrained", Criterion::kConstrained}}};
+
+template <class Value, std::size_t N>
+Value value_of(std::string_view option, std::string_view word,
+               const std::array<Named<Value>, N>& names) {
+  std::string choices;
+  for (const auto& [known, value] : names) {
+    if (word == known) return value;
+    choices += (choices.empty() ? "" : ", ") + std::string(known);
+  }
+  throw UsageError(std::string(option) + ": '" + std::string(word) + "' is none of " + choices);
+}
+
+template <class Value, std::size_t N>
+std::string name_of(Value value, const std::array<Named<Value>, N>& names) {
+  const auto it =
+      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == value; });
+  return std::string(it->first);
+}
+
+int threads_of(std::string_view word) {
+  int threads = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), threads);
+  if (error != std::errc() || end != word.data() + word.size() || threads < 1 || threads > 1024) {
+    throw UsageError("--threads: '" + std::string(word) + "' is not a number from 1 to 1024");
+  }
+  return threads;
+}
+
+/// One pass over the words.
+class Parser {
+ public:
+  explicit Parser(std::span<const char* const> words) : words_(words) {}
+
+  Arguments run() {
+    out_.options.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+    while (next_ < words_.size() && out_.action == Action::kReconstruct) {
+      const std::string_view word = words_[next_++];
+      if (options_ended_ || word.size() < 2 || word[0] != '-') {
+        take_file(word);
+      } else {
+        take_option(word);
+      }
+    }
+    if (out_.action == Action::kReconstruct) check_files();
+    return std::move(out_);
+  }
+
+ private:
+  void take_file(std::string_view word) {
+    if (files_ == 2) throw UsageError("unexpected word '" + std::string(word) + "'");
+    (files_++ == 0 ? out_.input : out_.output) = word;
+  }
+
+  void take_option(std::string_view word) {
+    const std::size_t equals = word.find('=');
+    const std::string_view option = word.substr(0, equals);
+    if (equals != std::string_view::npos) attached_ = word.substr(equals + 1);
+    if (option == "--") {
+      options_ended_ = true;
+    } else if (option == "--help" || option == "-h") {
+      out_.action = Action::kHelp;
+    } else if (option == "--version") {
+      out_.action = Action::kVersion;
+    } else if (option == "--quiet" || option == "-q") {
+      out_.quiet = true;
+    } else if (option == "--stats") {
+      out_.stats = true;
+    } else if (option == "--skip-invalid") {
+      out_.skip_invalid = true;
+    } else if (option == "--method") {
+      out_.options.method = value_of(option, value(option), kMethods);
+    } else if (option == "--criterion") {
+      out_.options.criterion = value_of(option, value(option), kCriteria);
+    } else if (option == "--threads") {
+      out_.options.threads = threads_of(value(option));
+    } else {
+      throw UsageError("unknown option '" + std::string(option) + "'");
+    }
+    if (attached_) throw UsageError(std::string(option) + " takes no value");
+  }
+
+  std::string_view value(std::string_view option) {
+    if (attached_) return *std::exchange(attached_, std::nullopt);
+    if (next_ == words_.size()) throw UsageError(std::string(option) + " needs a value");
+    return words_[next_++];
+  }
+
+  void check_files() const {
+    if (files_ < 2) {
+      throw UsageError(files_ == 0 ? "no input file given" : "no output file given");
+    }
+    if (!writable_mesh_extension(out_.output)) {
+      throw UsageError(out_.output.string() +
+                       ": unknown kind of output file; use .ply, .obj, .off, .stl or .wrl");
+    }
+  }
+
+  std::span<const char* const> words_;
+  std::size_t next_ = 0;
+  int files_ = 0;
+  bool options_ended_ = false;
+  std::optional<std::string_view> attached_;
+  Arguments out_;
+};
+
+}  // namespace
+
+Arguments parse_arguments(std::span<const char* const> words) { return Parser(words).run(); }
+
+std::string name(Method method) { return name_of(method, kMethods); }
+std::string name(Criterion criterion) { return name_of(criterion, kCriteria); }
+
+std::string help() {
+  return R"(Usage: tetsculpt [OPTIONS] POINTS SURFACE
+
+Turns unorganised points in space into a closed manifold triangle surface
+through every one of them. It needs positions only: no normals, no parameter.
+
+  POINTS    .xyz .txt .csv .pts .asc (x y z per line, further columns ignored),
+            .ply, or the vertices of an .obj or .off file
+  SURFACE   .ply .obj .off .stl .wrl
+
+Options:
+  --method NAME      how to sculpt: paper (Attene, Spagnuolo 2000; the default)
+  --criterion NAME   which tetrahedron goes first: constrained (the paper's own,
+                     the default), longest, area, gamma
+  --skip-invalid     drop points with a NaN or infinite coordinate and say how
+                     many; without this they are an error
+  --threads N        use at most N threads (default: all cores); the surface
+                     does not depend on it
+  --stats            print what was computed as one JSON object on stdout
+  -q, --quiet        no progress and no summary
+  -h, --help         this text
+  --version          the version
+
+Examples:
+  tetsculpt scan.xyz surface.ply
+  tetsculpt --stats slices.csv organ.stl > organ.json
+
+Exit status:
+  0  done
+  1  wrong usage
+  2  bad input: unreadable, broken, or with an invalid point
+  3  the points span no solid: fewer than 4, all on a line, or all in a plane
+  4  done, but the points named on stderr could not be brought to the surface
+  5  the output could not be written
+)";
+}
+
+}  // namespace tetsculpt::cli
