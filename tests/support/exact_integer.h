@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -39,13 +40,11 @@ class ExactInteger {
     if (x == 0) return result;
     int exponent = 0;
     const double fraction = std::frexp(std::fabs(x), &exponent);
-    auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
-    int shift = exponent - 53 - unit_exponent;
-    for (; shift < 0; ++shift) {
-      if ((mantissa & 1) != 0) throw std::domain_error("not a multiple of the unit");
-      mantissa >>= 1;
-    }
-    result.assign_shifted(mantissa, static_cast<std::size_t>(shift));
+    const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
+    const int trailing = std::countr_zero(mantissa);
+    const int shift = exponent - 53 + trailing - unit_exponent;
+    if (shift < 0) throw std::domain_error("not a multiple of the unit");
+    result.assign_shifted(mantissa >> trailing, static_cast<std::size_t>(shift));
     result.negative_ = x < 0;
     return result;
   }

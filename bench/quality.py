@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Reconstructs every set of a catalogue and prints a table of what came out.
+
+  bench/quality.py --cli build/release/tetsculpt --data DATA --judge MESHCHECK [--method NAME]...
+                   [--kind mesh|raw|contours|paper]... [--only NAME]... [--samples N] [--keep DIR]
+
+DATA holds catalog.json and the gzipped PLY files it names. MESHCHECK is the program that judges each
+mesh: called with MESH --points FILE [--truth MESH] --samples N, it prints one JSON object. A set whose
+true surface is known counts as right if the output is closed, manifold and oriented, holds every
+distinct point, and has the truth's number of components and genus. Needs Python 3 only.
+
+Exit status 0; 1 if an output was not closed, manifold, oriented and through every point; 2 without data.
+"""
+import argparse
+import gzip
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--cli", required=True)
+    parser.add_argument("--data", required=True)
+    parser.add_argument("--judge", required=True)
+    parser.add_argument("--method", action="append", default=[])
+    parser.add_argument("--kind", action="append", default=[])
+    parser.add_argument("--only", action="append", default=[])
+    parser.add_argument("--samples", type=int, default=20000)
+    parser.add_argument("--keep", help="directory to leave the surfaces in")
+    return parser.parse_args()
+
+
+def unzipped(path, folder):
+    target = os.path.join(folder, os.path.basename(path)[: -len(".gz")])
+    if not os.path.exists(target):
+        with gzip.open(path, "rb") as source, open(target, "wb") as copy:
+            copy.write(source.read())
+    return target
+
+
+def truth_of(entry):
+    """The mesh that the points were taken from, if its topology was checked."""
+    return entry["mesh"] if entry["kind"] == "mesh" else None
+
+
+def reconstruct(args, method, points, surface):
+    start = time.monotonic()
+    run = subprocess.run(
+        [args.cli, "--method", method, "--quiet", "--threads", "1", points, surface],
+        stderr=subprocess.PIPE, text=True, check=False)
+    return run.returncode, time.monotonic() - start, run.stderr.strip()
+
+
+def judge(args, entry, points, surface, folder):
+    command = [args.judge, surface, "--points", points, "--samples", str(args.samples)]
+    truth = truth_of(entry)
+    if truth:
+        command += ["--truth", unzipped(os.path.join(args.data, truth), folder)]
+    return json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+
+
+def is_sound(verdict):
+    return (verdict["closed"] and verdict["edge_manifold"] and verdict["vertex_manifold"]
+            and verdict["oriented"] and verdict["missing"] == 0 and verdict["invented"] == 0
+            and verdict["degenerate"] == 0 and verdict["duplicate"] == 0 and verdict["volume"] > 0)
+
+
+def is_right(entry, verdict):
+    return (is_sound(verdict) and verdict["components"] == entry["components"]
+            and verdict["genus"] == sum(entry["genus"]))
+
+
+def row(entry, verdict, seconds):
+    truth = truth_of(entry)
+    expected = f"{entry['components']}/{sum(entry['genus'])}" if truth else "-"
+    distance = f"{verdict['d_mean']:.1e} {verdict['d_max']:.1e}" if truth else "      -       -"
+    mark = ("right" if is_right(entry, verdict) else "") if truth else ""
+    return (f"{entry['name']:26} {entry['n']:7} {'yes' if is_sound(verdict) else 'NO':>5} "
+            f"{verdict['components']}/{verdict['genus']:<5} {expected:>7} "
+            f"{100 * verdict['interpolated']:6.2f} {distance} {seconds:7.2f}  {mark}")
+
+
+def run_method(args, method, entries, folder):
+    print(f"\nmethod {method}\n{'set':26} {'points':>7} sound comp/genus truth  points%"
+          "  d_mean  d_max  seconds")
+    sound = right = known = 0
+    for entry in entries:
+        points = unzipped(os.path.join(args.data, entry["file"]), folder)
+        surface = os.path.join(args.keep or folder, f"{entry['name']}.{method}.ply")
+        status, seconds, message = reconstruct(args, method, points, surface)
+        if status not in (0, 4):
+            print(f"{entry['name']:26} exit status {status}: {message}")
+            continue
+        verdict = judge(args, entry, points, surface, folder)
+        print(row(entry, verdict, seconds), flush=True)
+        sound += is_sound(verdict)
+        known += truth_of(entry) is not None
+        right += truth_of(entry) is not None and is_right(entry, verdict)
+        if not args.keep:
+            os.remove(surface)
+    print(f"{method}: {sound} of {len(entries)} closed, manifold, oriented and through every point; "
+          f"{right} of {known} with the truth's components and genus")
+    return sound == len(entries)
+
+
+def main():
+    args = arguments()
+    catalog = os.path.join(args.data, "catalog.json")
+    if not os.path.exists(catalog):
+        print(f"quality: no {catalog}: nothing to reconstruct, skipped")
+        return 2
+    with open(catalog, encoding="utf-8") as file:
+        entries = [e for e in json.load(file) if e["split"] == "train"]
+    kinds = args.kind or ["mesh", "paper", "raw", "contours"]
+    entries = [e for e in entries if e["kind"] in kinds and (not args.only or e["name"] in args.only)]
+    if args.keep:
+        os.makedirs(args.keep, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        results = [run_method(args, m, entries, folder) for m in args.method or ["paper"]]
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,108 @@
+#include "io/atomic_file.h"
+
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <charconv>
+#include <cstdint>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include "io/io_error.h"
+
+namespace tetsculpt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBlockSize = std::size_t{1} << 18;
+
+fs::path without_symlink(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  fs::path resolved = fs::canonical(path, error);
+  return error ? path : resolved;
+}
+
+// The name is independent of the target's, which may be as long as a name can be.
+std::string temporary_name() {
+  std::random_device random;
+  const std::uint64_t tag = std::uint64_t{random()} << 32 | random();
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), tag, 16).ptr;
+  return ".tetsculpt-" + std::string(digits.data(), end) + ".tmp";
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const fs::path& target) : target_(target), final_(target) {
+  block_.reserve(kBlockSize);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(target, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    file_ = std::fopen(target.string().c_str(), "wb");
+    if (file_ == nullptr) fail("cannot create", errno);
+  } else {
+    final_ = without_symlink(target);
+    open_temporary();
+  }
+  std::setvbuf(file_, nullptr, _IONBF, 0);
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_ != nullptr) std::fclose(file_);
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::open_temporary() {
+  constexpr int kAttempts = 100;
+  int error = EEXIST;
+  for (int i = 0; i < kAttempts && error == EEXIST; ++i) {
+    const fs::path name = final_.parent_path() / temporary_name();
+    file_ = std::fopen(name.string().c_str(), "wbx");  // x: must not exist
+    error = file_ == nullptr ? errno : 0;
+    if (file_ != nullptr) temporary_ = name;
+  }
+  if (file_ == nullptr) fail("cannot create", error);
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  assert(file_ != nullptr);
+  if (bytes.size() > kBlockSize - block_.size()) {
+    write_through(block_);
+    block_.clear();
+  }
+  if (bytes.size() > kBlockSize) {
+    write_through(bytes);
+  } else {
+    block_.append(bytes);
+  }
+}
+
+void AtomicFile::write_through(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+    fail("cannot write", errno);
+  }
+}
+
+void AtomicFile::commit() {
+  assert(file_ != nullptr);
+  write_through(block_);
+  if (std::fclose(std::exchange(file_, nullptr)) != 0) fail("cannot write", errno);
+  if (temporary_.empty()) return;
+  std::error_code error;
+  if (const fs::file_status old = fs::status(final_, error); fs::is_regular_file(old)) {
+    fs::permissions(temporary_, old.permissions(), error);  // as good as it goes
+  }
+  fs::rename(temporary_, final_, error);
+  if (error) fail("cannot replace", error.value());
+  temporary_.clear();
+}
+
+void AtomicFile::fail(std::string_view doing, int error) const {
+  throw IoError(target_, std::string(doing) + ": " + std::generic_category().message(error));
+}
+
+}  // namespace tetsculpt

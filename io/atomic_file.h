@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace tetsculpt {
+
+/// A file that appears whole or not at all. What is written goes to a temporary file in the same
+/// directory; commit() renames it over the target. Without commit() the target stays as it was
+/// and the temporary file is removed.
+///   (1) A symbolic link stays; the file it points to is replaced, and keeps its permissions.
+///   (2) A target that exists and is no regular file (a pipe, a device) is written directly.
+/// Throws IoError with the path of the target and the reason the system gives.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::filesystem::path& target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::string_view bytes);
+  /// The last call: nothing can be written after it.
+  void commit();
+
+ private:
+  void open_temporary();
+  void write_through(std::string_view bytes);
+  [[noreturn]] void fail(std::string_view doing, int error) const;
+
+  std::filesystem::path target_;     // as the caller named it, for messages
+  std::filesystem::path final_;      // without symbolic links
+  std::filesystem::path temporary_;  // empty if the target is written directly
+  std::string block_;
+  std::FILE* file_ = nullptr;
+};
+
+}  // namespace tetsculpt

@@ -1,0 +1,54 @@
+#include "io/file_content.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+
+#include "io/io_error.h"
+
+namespace tetsculpt {
+namespace {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+// One byte more than the file has, so that the first read also meets its end.
+std::size_t first_capacity(const std::filesystem::path& path) {
+  constexpr std::size_t kUnknownSize = std::size_t{1} << 16;
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return error || size == 0 ? kUnknownSize : static_cast<std::size_t>(size) + 1;
+}
+
+FileContent with_capacity(const FileContent& old, std::size_t capacity) {
+  FileContent grown{std::make_unique_for_overwrite<char[]>(capacity), old.size};
+  if (old.size > 0) std::memcpy(grown.bytes.get(), old.bytes.get(), old.size);
+  return grown;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view doing) {
+  throw IoError(path, std::string(doing) + ": " + std::generic_category().message(errno));
+}
+
+}  // namespace
+
+FileContent read_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a directory");
+  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.string().c_str(), "rb"));
+  if (!file) fail(path, "cannot open");
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+
+  FileContent content;
+  for (std::size_t capacity = first_capacity(path);; capacity *= 2) {
+    content = with_capacity(content, capacity);
+    content.size +=
+        std::fread(content.bytes.get() + content.size, 1, capacity - content.size, file.get());
+    if (std::ferror(file.get()) != 0) fail(path, "cannot read");
+    if (content.size < capacity) return content;
+  }
+}
+
+}  // namespace tetsculpt

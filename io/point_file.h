@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "io/precision.h"
+#include "kernel/point.h"
+
+namespace tetsculpt {
+
+/// The points of a file in their order there.
+struct PointFile {
+  std::vector<Point3> points;
+  /// kSingle if the file's own type of x, y and z is a 32-bit float; text has kDouble.
+  Precision precision = Precision::kDouble;
+};
+
+}  // namespace tetsculpt

@@ -1,0 +1,136 @@
+#include "io/text_scanner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <system_error>
+
+#include "io/io_error.h"
+#include "io/parse_number.h"
+
+namespace tetsculpt {
+namespace {
+
+// For messages: short and printable whatever the file holds.
+std::string quoted(std::string_view token) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : token.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (token.size() > kLongest ? "...'" : "'");
+}
+
+}  // namespace
+
+TextScanner::TextScanner(std::string_view text, const std::filesystem::path& path,
+                         const TextDialect& dialect)
+    : text_(text), path_(path), dialect_(dialect) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(kByteOrderMark)) next_ = line_feed_ = kByteOrderMark.size();
+  for (const char c : dialect.separators) separators_[static_cast<unsigned char>(c)] = true;
+}
+
+bool TextScanner::next_line() {
+  if (next_ >= text_.size()) return false;
+  // The line feed is kept over the lines, or a text of CR lines would cost quadratic time.
+  if (line_feed_ < next_ || line_number_ == 0) {
+    line_feed_ = std::min(text_.find('\n', next_), text_.size());
+  }
+  rest_ = text_.substr(next_, line_feed_ - next_);
+  rest_ = rest_.substr(0, rest_.find('\r'));
+  next_ += rest_.size();
+  if (next_ < text_.size() && text_[next_] == '\r') ++next_;
+  if (next_ < text_.size() && text_[next_] == '\n') ++next_;
+  ++line_number_;
+  return true;
+}
+
+bool TextScanner::next_content_line() {
+  while (next_line()) {
+    if (!at_line_end()) return true;
+  }
+  return false;
+}
+
+void TextScanner::skip_separators() {
+  std::size_t i = 0;
+  while (i < rest_.size() && is_separator(rest_[i])) ++i;
+  rest_.remove_prefix(i);
+}
+
+bool TextScanner::at_line_end() {
+  skip_separators();
+  return rest_.empty() || std::ranges::any_of(dialect_.comments, [this](std::string_view start) {
+           return !start.empty() && rest_.starts_with(start);
+         });
+}
+
+bool TextScanner::at_number() {
+  skip_separators();
+  const auto parsed = parse_number<double>(rest_);
+  const char* const end = rest_.data() + rest_.size();
+  return parsed.fault != NumberFault::kNotANumber &&
+         (parsed.end == end || is_separator(*parsed.end));
+}
+
+std::string_view TextScanner::token() {
+  skip_separators();
+  std::size_t i = 0;
+  while (i < rest_.size() && !is_separator(rest_[i])) ++i;
+  const std::string_view token = rest_.substr(0, i);
+  rest_.remove_prefix(i);
+  return token;
+}
+
+template <typename Float>
+Float TextScanner::number() {
+  skip_separators();
+  const auto parsed = parse_number<Float>(rest_);
+  const char* const end = rest_.data() + rest_.size();
+  if (parsed.fault == NumberFault::kNotANumber ||
+      (parsed.end != end && !is_separator(*parsed.end))) {
+    fail_at_token("expected a number, found ");
+  }
+  if (parsed.fault == NumberFault::kTooLarge) fail_at_token("number out of range: ");
+  rest_.remove_prefix(static_cast<std::size_t>(parsed.end - rest_.data()));
+  return parsed.value;
+}
+
+template float TextScanner::number<float>();
+template double TextScanner::number<double>();
+
+std::uint64_t TextScanner::count() {
+  skip_separators();
+  const char* const end = rest_.data() + rest_.size();
+  std::uint64_t value = 0;
+  const auto [after, error] = std::from_chars(rest_.data(), end, value);
+  if (error != std::errc() || (after != end && !is_separator(*after))) {
+    fail_at_token("expected a count, found ");
+  }
+  rest_.remove_prefix(static_cast<std::size_t>(after - rest_.data()));
+  return value;
+}
+
+Point3 TextScanner::point() {
+  const auto x = number<double>();
+  const auto y = number<double>();
+  const auto z = number<double>();
+  return {x, y, z};
+}
+
+bool TextScanner::accept(std::string_view word) {
+  skip_separators();
+  if (!rest_.starts_with(word)) return false;
+  rest_.remove_prefix(word.size());
+  return true;
+}
+
+void TextScanner::fail(std::string_view reason) const {
+  throw IoError(path_, LineNumber{std::max<std::uint64_t>(line_number_, 1)}, reason);
+}
+
+void TextScanner::fail_at_token(std::string_view reason) {
+  if (at_line_end()) fail(std::string(reason) + "the end of the line");
+  fail(std::string(reason) + quoted(token()));
+}
+
+}  // namespace tetsculpt

@@ -1,0 +1,80 @@
+// IoError names the path and the place, in words and as data.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "io/io_error.h"
+#include "io/read_points.h"
+#include "io/write_mesh.h"
+#include "tests/support/io_files.h"
+
+namespace tetsculpt {
+namespace {
+
+using testing::TempDir;
+
+TEST_CASE("a whole file") {
+  const IoError error("a/b.ply", "is missing");
+  CHECK(std::string(error.what()) == "a/b.ply: is missing");
+  CHECK(error.path() == "a/b.ply");
+  CHECK_FALSE(error.line());
+  CHECK_FALSE(error.byte());
+}
+
+TEST_CASE("a line") {
+  const IoError error("a.xyz", LineNumber{7}, "bad");
+  CHECK(std::string(error.what()) == "a.xyz:7: bad");
+  CHECK(error.line() == 7);
+  CHECK_FALSE(error.byte());
+}
+
+TEST_CASE("a byte") {
+  const IoError error("a.ply", ByteOffset{0}, "bad");
+  CHECK(std::string(error.what()) == "a.ply: byte 0: bad");
+  CHECK(error.byte() == 0);
+  CHECK_FALSE(error.line());
+}
+
+std::string message_of_reading(const std::filesystem::path& path) {
+  try {
+    read_points(path);
+  } catch (const IoError& error) {
+    CHECK(error.path() == path);
+    return error.what();
+  }
+  return "";
+}
+
+TEST_CASE("files that cannot be read at all") {
+  const TempDir dir;
+  const std::string missing = (dir.path() / "missing.xyz").string();
+  CHECK(message_of_reading(missing) == missing + ": cannot open: No such file or directory");
+
+  const std::filesystem::path directory = dir.path() / "directory.ply";
+  std::filesystem::create_directory(directory);
+  CHECK(message_of_reading(directory) == directory.string() + ": is a directory");
+
+  for (const char* name : {"points.stl", "points", "points.", ".ply", "points.xyz.gz"}) {
+    CAPTURE(name);
+    const std::string message = message_of_reading(dir.file(name, "0 0 0\n"));
+    CHECK(message.find("unknown extension") != std::string::npos);
+  }
+}
+
+TEST_CASE("an unknown extension is refused before anything is written") {
+  const TempDir dir;
+  for (const char* name : {"mesh.xyz", "mesh", "mesh.gltf", ".ply"}) {
+    CAPTURE(name);
+    CHECK_FALSE(writable_mesh_extension(name));
+    CHECK_THROWS_AS(write_mesh({}, dir.path() / name), IoError);
+  }
+  CHECK(std::filesystem::is_empty(dir.path()));
+  for (const char* name : {"m.ply", "m.obj", "m.off", "m.stl", "m.wrl", "M.PLY", "m.x.Wrl"}) {
+    CAPTURE(name);
+    CHECK(writable_mesh_extension(name));
+  }
+}
+
+}  // namespace
+}  // namespace tetsculpt
