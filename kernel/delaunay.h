@@ -10,7 +10,7 @@ namespace tetsculpt {
 
 struct DelaunayOptions {
   /// Told now and then which share of the points is in, from 0 to 1.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress = {};
 };
 
 /// DT(P), ties broken by kernel/perturbation: one function of the point set. No tetrahedron is flat, and

@@ -128,7 +128,10 @@ std::optional<std::string> broken_invariant(const DistinctPoints& distinct,
       return "vertices " + std::to_string(v - 1) + " and " + std::to_string(v) +
              " are out of order";
     }
-    if (distinct.first_input[v] >= input.size()) return "a first input index is out of range";
+    const std::size_t first = distinct.first_input[v];
+    if (first >= input.size() || +distinct.vertex_of_input[first] != v) {
+      return "vertex " + std::to_string(v) + " does not name an input point of its own";
+    }
   }
   for (std::size_t i = 0; i < input.size(); ++i) {
     const std::size_t v = +distinct.vertex_of_input[i];

@@ -28,7 +28,7 @@ struct LiftedHull {
 
 struct LiftedHullOptions {
   /// Told now and then which share of the points is in, from 0 to 1.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress = {};
 };
 
 /// Quickhull on the lifted points and the point at infinity above them. The perturbation makes all

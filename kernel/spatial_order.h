@@ -18,7 +18,7 @@ struct SpatialOrder {
 };
 
 /// Biased randomised insertion order: points fall into rounds by pseudo-random coins (a fixed hash of
-/// the vertex id), each round several times as large as all before it; a round is sorted along a
+/// the vertex id), each round about as large as all before it; a round is sorted along a
 /// Hilbert curve through the bounding box. Depends on nothing but the points.
 /// [Amenta, Choi, Rote 2003]  Cost: one radix sort.
 SpatialOrder spatial_order(std::span<const Point3> points);

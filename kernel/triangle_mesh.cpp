@@ -61,12 +61,13 @@ EdgeSurvey survey_edges(const TriangleMesh& mesh) {
     for (; last < halves.size() && halves[last].low == e.low && halves[last].high == e.high;
          ++last) {
       ascending += halves[last].ascending;
-      for (const std::uint32_t v : {e.low, e.high}) {
-        survey.fans.unite(corner_item(mesh, e.triangle, v),
-                          corner_item(mesh, halves[last].triangle, v));
-      }
     }
     const std::size_t count = last - first;
+    for (const std::uint32_t v : {e.low, e.high}) {
+      if (count != 2) break;
+      survey.fans.unite(corner_item(mesh, e.triangle, v),
+                        corner_item(mesh, halves[first + 1].triangle, v));
+    }
     ++survey.edges;
     survey.closed = survey.closed && count == 2;
     survey.manifold = survey.manifold && count <= 2;
@@ -82,7 +83,7 @@ Topology topology(const TriangleMesh& mesh) {
   EdgeSurvey survey = survey_edges(mesh);
   Topology result{.closed = survey.closed && !mesh.triangles.empty(),
                   .edge_manifold = survey.manifold,
-                  .vertex_manifold = true,
+                  .vertex_manifold = survey.manifold,
                   .oriented = survey.oriented};
   DisjointSets parts(mesh.points.size());
   std::vector<std::uint32_t> fan_of_vertex(mesh.points.size(), 0xffffffffu);
@@ -103,7 +104,7 @@ Topology topology(const TriangleMesh& mesh) {
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
     if (fan_of_vertex[v] != 0xffffffffu && parts.find(v) == v) ++result.components;
   }
-  if (result.closed && result.vertex_manifold) {
+  if (result.closed && result.vertex_manifold && result.oriented) {
     // V - E + F = 2 (components - genus)
     const auto euler = static_cast<std::int64_t>(vertices + mesh.triangles.size()) -
                        static_cast<std::int64_t>(survey.edges);

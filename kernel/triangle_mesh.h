@@ -25,7 +25,7 @@ struct Topology {
   bool vertex_manifold = false;  ///< the triangles at each vertex form one cycle (one fan if open)
   bool oriented = false;         ///< each directed edge occurs at most once
   std::size_t components = 0;    ///< connected components (by shared vertices)
-  std::size_t genus = 0;         ///< summed over components; 0 unless closed and manifold
+  std::size_t genus = 0;         ///< summed over components; 0 unless closed, manifold, oriented
 };
 
 /// Judges `mesh`. Unused points do not count. Cost: a sort of the half-edges.

@@ -27,7 +27,7 @@ struct ReconstructOptions {
   int threads = 1;
   /// Told now and then the stage under way ("delaunay", "graphs", "sculpt") and the share of it that is
   /// done, from 0 to 1.
-  std::function<void(std::string_view stage, double done)> progress;
+  std::function<void(std::string_view stage, double done)> progress = {};
 };
 
 /// What the points span. Only kSolid has a surface.

@@ -19,7 +19,7 @@ struct PaperOptions {
   /// leaves concavities filled where the sampling is fine; see the source.
   enum class Stop { kHeapEmpty, kAllExposed } stop = Stop::kHeapEmpty;
   /// Told now and then which share of the vertices is on the boundary, from 0 to 1.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress = {};
 };
 
 /// What holds the sculptor back (criterion kConstrained only).

@@ -1,0 +1,36 @@
+# The layers, and that the check of them can fail.
+add_test(NAME check_layers COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P
+                                   ${CMAKE_CURRENT_SOURCE_DIR}/check_layers.cmake)
+add_test(NAME check_layers_test
+         COMMAND ${CMAKE_COMMAND} -DCHECK=${CMAKE_CURRENT_SOURCE_DIR}/check_layers.cmake
+                 -DWORK=${CMAKE_CURRENT_BINARY_DIR}/planted_tree -P
+                 ${CMAKE_CURRENT_SOURCE_DIR}/check_layers_test.cmake)
+
+if(TARGET tetsculpt_cli)
+  add_library(tetsculpt_cli_support STATIC support/sculpt_cli.cpp)
+  target_link_libraries(tetsculpt_cli_support PUBLIC tetsculpt_io tetsculpt_sculpt_support)
+  target_compile_definitions(
+    tetsculpt_cli_support PUBLIC TETSCULPT_CLI="$<TARGET_FILE:tetsculpt_cli>"
+                                 TETSCULPT_VERSION="${PROJECT_VERSION}")
+  add_dependencies(tetsculpt_cli_support tetsculpt_cli)
+  foreach(
+    name
+    cli_exit_status_test
+    cli_output_files_test
+    cli_scan_test
+    cli_stats_test
+    cli_usage_test)
+    tetsculpt_test(${name})
+    target_link_libraries(${name} PRIVATE tetsculpt_cli_support)
+  endforeach()
+
+  # With our flags, so that a build with sanitizers links. The install rules take the program along.
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+  add_test(NAME consumer_test
+           COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR}
+                   -DSOURCE=${CMAKE_CURRENT_SOURCE_DIR}/consumer
+                   -DWORK=${CMAKE_CURRENT_BINARY_DIR}/consumer -DGENERATOR=${CMAKE_GENERATOR}
+                   -DCOMPILER=${CMAKE_CXX_COMPILER}
+                   "-DFLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" -P
+                   ${CMAKE_CURRENT_SOURCE_DIR}/consumer_test.cmake)
+endif()

@@ -7,8 +7,8 @@
 
 #include "kernel/point.h"
 
-/// Point sets for tests and benchmarks. Seeds are arguments; the same arguments give the same points on
-/// every platform (no library distribution is used).
+/// Point sets for tests and benchmarks. Seeds are arguments; the same arguments give the same
+/// points on every platform (no library distribution is used).
 namespace tetsculpt::point_sets {
 
 /// Uniform pseudo-random numbers from a 64-bit counter (SplitMix64).
@@ -50,7 +50,8 @@ std::vector<Point3> bumpy_sphere(std::size_t n, std::uint64_t seed);
 /// Radii 1 and 0.4.
 std::vector<Point3> random_torus(std::size_t n, std::uint64_t seed);
 
-// Well-sampled closed surfaces: points at least `spacing` apart, dense but irregular (dart throwing).
+// Well-sampled closed surfaces: points at least `spacing` apart, dense but irregular (dart
+// throwing).
 std::vector<Point3> sphere(double spacing, std::uint64_t seed);
 std::vector<Point3> ellipsoid(double spacing, std::uint64_t seed);  ///< half axes 1, 0.7, 0.5
 std::vector<Point3> torus(double spacing, std::uint64_t seed);      ///< radii 1 and 0.4; genus 1

@@ -1,0 +1,66 @@
+# cmake -DCHECK=<check_layers.cmake> -DWORK=<folder to make> -P: plants faults, one at a time, and sees
+# each of them found and named; and a tree without any pass.
+cmake_minimum_required(VERSION 3.25)
+
+# A small tree with one header per folder, and one include in a source of each.
+function(plant_good_tree)
+  file(REMOVE_RECURSE ${WORK})
+  file(WRITE ${WORK}/kernel/a.h "#pragma once\n#include <vector>\n")
+  file(WRITE ${WORK}/kernel/b.h "#pragma once\n#include \"kernel/a.h\"\n")
+  file(WRITE ${WORK}/kernel/b.cpp "#include \"kernel/b.h\"\n")
+  file(WRITE ${WORK}/sculpt/s.h "#pragma once\n#include \"kernel/b.h\"\n")
+  file(WRITE ${WORK}/io/i.h "#pragma once\n#include \"kernel/a.h\"\n")
+  file(WRITE ${WORK}/io/i.cpp "#include \"io/i.h\"\n")
+  file(WRITE ${WORK}/tools/version.h.in "#pragma once\n")
+  file(WRITE ${WORK}/tools/main.cpp
+       "#include \"io/i.h\"\n#include \"sculpt/s.h\"\n#include \"tools/version.h\"\n")
+endfunction()
+
+function(run_check out_result out_text)
+  execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${WORK} -P ${CHECK} RESULT_VARIABLE result
+                  OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  set(${out_result} ${result} PARENT_SCOPE)
+  set(${out_text} "${text}" PARENT_SCOPE)
+endfunction()
+
+# expect_fault(FILE LINE WORDS...): the line, added to the file, is found, and the report has the words.
+function(expect_fault file line)
+  plant_good_tree()
+  file(APPEND ${WORK}/${file} "${line}\n")
+  run_check(result text)
+  if(result EQUAL 0)
+    message(SEND_ERROR "not found: '${line}' in ${file}")
+  endif()
+  foreach(word IN LISTS ARGN)
+    string(FIND "${text}" "${word}" place)
+    if(place EQUAL -1)
+      message(SEND_ERROR "'${line}' in ${file}: the report lacks '${word}':\n${text}")
+    endif()
+  endforeach()
+endfunction()
+
+plant_good_tree()
+run_check(result text)
+if(NOT result EQUAL 0)
+  message(SEND_ERROR "a good tree fails:\n${text}")
+endif()
+
+expect_fault(kernel/a.h "#include \"sculpt/s.h\"" "kernel/a.h" "sculpt/s.h")
+expect_fault(kernel/b.cpp "#include \"io/i.h\"" "kernel/b.cpp" "io/i.h")
+expect_fault(kernel/b.cpp "  #  include \"tools/version.h\"" "kernel/b.cpp" "tools/version.h")
+expect_fault(sculpt/s.h "#include \"io/i.h\"" "sculpt/s.h" "io/i.h")
+expect_fault(io/i.cpp "#include \"sculpt/s.h\"" "io/i.cpp" "sculpt/s.h")
+expect_fault(io/i.h "#include \"tools/version.h\"" "io/i.h" "tools/version.h")
+expect_fault(kernel/b.cpp "#include \"tests/support/point_sets.h\"" "kernel/b.cpp" "tests/support")
+expect_fault(tools/main.cpp "#include \"bench/b.h\"" "tools/main.cpp" "bench/b.h")
+expect_fault(kernel/b.cpp "#include \"kernel/none.h\"" "kernel/b.cpp" "kernel/none.h")
+expect_fault(kernel/b.cpp "#include \"b.h\"" "kernel/b.cpp" "b.h")
+expect_fault(kernel/b.cpp "#include \"../kernel/b.h\"" "kernel/b.cpp" "../kernel/b.h")
+expect_fault(kernel/a.h "#include \"kernel/b.h\"" "cycle" "kernel/a.h -> kernel/b.h -> kernel/a.h")
+expect_fault(kernel/a.h "#include \"kernel/a.h\"" "cycle" "kernel/a.h -> kernel/a.h")
+
+file(REMOVE_RECURSE ${WORK})
+run_check(result text)
+if(result EQUAL 0)
+  message(SEND_ERROR "an empty tree passes")
+endif()

@@ -1,0 +1,84 @@
+// Equal points become one vertex, vertices are in lexicographic order, and the maps say who is who.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "kernel/distinct_points.h"
+#include "tests/support/point_sets.h"
+
+namespace tetsculpt {
+namespace {
+
+std::vector<std::size_t> vertices_of(const DistinctPoints& distinct) {
+  std::vector<std::size_t> vertices;
+  for (const VertexId v : distinct.vertex_of_input) vertices.push_back(+v);
+  return vertices;
+}
+
+TEST_CASE("duplicates are merged, the first one is named") {
+  const std::vector<Point3> input{{2, 0, 0}, {1, 5, 0}, {2, 0, 0}, {1, 4, 9}, {1, 5, 0}, {1, 5, 0}};
+  const DistinctPoints distinct = distinct_points(input);
+  CHECK(distinct.points == std::vector<Point3>{{1, 4, 9}, {1, 5, 0}, {2, 0, 0}});
+  CHECK(vertices_of(distinct) == std::vector<std::size_t>{2, 1, 2, 0, 1, 1});
+  CHECK(distinct.first_input == std::vector<std::uint32_t>{3, 1, 0});
+  CHECK(distinct.scale_exponent == 0);
+  CHECK_FALSE(broken_invariant(distinct, input));
+}
+
+TEST_CASE("-0.0 equals 0.0 in every coordinate") {
+  const std::vector<Point3> input{{0.0, -0.0, 1}, {-0.0, 0.0, 1}, {-0.0, -0.0, 1}, {0, 0, -1}};
+  const DistinctPoints distinct = distinct_points(input);
+  CHECK(vertices_of(distinct) == std::vector<std::size_t>{1, 1, 1, 0});
+  CHECK(distinct.first_input == std::vector<std::uint32_t>{3, 0});
+  CHECK_FALSE(broken_invariant(distinct, input));
+}
+
+TEST_CASE("no point, one point, all equal") {
+  const DistinctPoints none = distinct_points({});
+  CHECK(none.points.empty());
+  CHECK(none.vertex_of_input.empty());
+  CHECK_FALSE(broken_invariant(none, {}));
+  const DistinctPoints one = distinct_points(std::vector<Point3>(1000, {0.1, -7, 1e20}));
+  CHECK(one.points == std::vector<Point3>{{0.1, -7, 1e20}});
+  CHECK(one.first_input == std::vector<std::uint32_t>{0});
+  CHECK(vertices_of(one) == std::vector<std::size_t>(1000, 0));
+}
+
+TEST_CASE("the order is by value, whatever the sign and size") {
+  const std::vector<Point3> ordered{{-1e30, 0, 0},     {-1, -2, 3}, {-1, -1, -5}, {-1, -1, 5},
+                                    {-0x1p-170, 0, 0}, {0, -1, 0},  {0, 0, 0},    {0, 0, 0x1p-170},
+                                    {0x1p-170, 0, 0},  {1, -1, 0},  {1, 1, -1},   {1e30, -1e30, 0}};
+  const std::vector<Point3> input = point_sets::shuffled(ordered, 1);
+  CHECK(distinct_points(input).points == ordered);
+}
+
+TEST_CASE("a lattice with many duplicates") {
+  constexpr std::uint64_t kSeed = 2;
+  CAPTURE(kSeed);
+  const std::vector<Point3> input = point_sets::random_lattice(5000, 9, kSeed);
+  std::vector<Point3> expected = input;
+  std::sort(expected.begin(), expected.end(), lexicographically_less);
+  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+  const DistinctPoints distinct = distinct_points(input);
+  CHECK(distinct.points == expected);
+  CHECK_FALSE(broken_invariant(distinct, input));
+  std::size_t wrong = 0;
+  for (std::size_t v = 0; v < expected.size(); ++v) {
+    const auto first = std::find(input.begin(), input.end(), expected[v]);
+    wrong += distinct.first_input[v] != static_cast<std::size_t>(first - input.begin());
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("the points do not depend on the order of the input") {
+  const std::vector<Point3> input = point_sets::random_lattice(500, 5, 3);
+  const std::vector<Point3> expected = distinct_points(input).points;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    CAPTURE(seed);
+    CHECK(distinct_points(point_sets::shuffled(input, seed)).points == expected);
+  }
+}
+
+}  // namespace
+}  // namespace tetsculpt

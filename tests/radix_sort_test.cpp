@@ -1,0 +1,77 @@
+// radix_sort is a stable sort by key, and ordered_bits orders keys as their doubles.
+#include "kernel/radix_sort.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "tests/support/point_sets.h"
+
+namespace tetsculpt {
+namespace {
+
+std::size_t differences_from_stable_sort(std::vector<KeyedIndex> items) {
+  std::vector<KeyedIndex> expected = items;
+  std::stable_sort(expected.begin(), expected.end(),
+                   [](const KeyedIndex& a, const KeyedIndex& b) { return a.key < b.key; });
+  radix_sort(items);
+  REQUIRE(items.size() == expected.size());
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    wrong += items[i].key != expected[i].key || items[i].index != expected[i].index;
+  }
+  return wrong;
+}
+
+TEST_CASE("the same as a stable sort, whichever bits the keys use") {
+  for (const std::uint64_t mask :
+       {~0ull, 0ull, 0x7ffull, 0xffull << 56, 1ull << 63, 0x8000000000000001ull, 0x3ull << 10,
+        0xffffffffull, 0xffffffff00000000ull}) {
+    for (const std::size_t n : {0u, 1u, 2u, 3u, 100u, 5000u}) {
+      const std::uint64_t seed = n + 1;
+      point_sets::Random random(seed);
+      std::vector<KeyedIndex> items(n);
+      for (std::uint32_t i = 0; i < n; ++i) items[i] = {random.bits() & mask, i};
+      CAPTURE(mask);
+      CAPTURE(seed);
+      CHECK(differences_from_stable_sort(items) == 0);
+    }
+  }
+}
+
+TEST_CASE("sorted and reversed keys") {
+  std::vector<KeyedIndex> items;
+  for (std::uint32_t i = 0; i < 3000; ++i) items.push_back({std::uint64_t{i} << 20, i});
+  CHECK(differences_from_stable_sort(items) == 0);
+  std::reverse(items.begin(), items.end());
+  CHECK(differences_from_stable_sort(items) == 0);
+}
+
+TEST_CASE("ordered_bits orders as the doubles do") {
+  using Limits = std::numeric_limits<double>;
+  const std::vector<double> increasing{-Limits::infinity(),
+                                       -Limits::max(),
+                                       -1e10,
+                                       -1,
+                                       -Limits::min(),
+                                       -Limits::denorm_min(),
+                                       0,
+                                       Limits::denorm_min(),
+                                       Limits::min(),
+                                       1 - Limits::epsilon() / 2,
+                                       1,
+                                       1 + Limits::epsilon(),
+                                       1e10,
+                                       Limits::max(),
+                                       Limits::infinity()};
+  for (std::size_t i = 0; i + 1 < increasing.size(); ++i) {
+    CAPTURE(increasing[i]);
+    CHECK(ordered_bits(increasing[i]) < ordered_bits(increasing[i + 1]));
+  }
+  CHECK(ordered_bits(-0.0) == ordered_bits(0.0));
+}
+
+}  // namespace
+}  // namespace tetsculpt
