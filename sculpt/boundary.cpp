@@ -1,19 +1,32 @@
 #include "sculpt/boundary.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace tetsculpt {
 
-Boundary::Boundary(const TetComplex& complex)
+namespace {
+
+Flags all_finite(const TetComplex& complex) {
+  Flags solid(complex.tet_count(), 0);
+  std::fill_n(solid.begin(), complex.finite_tet_count(), std::uint8_t{1});
+  return solid;
+}
+
+}  // namespace
+
+Boundary::Boundary(const TetComplex& complex) : Boundary(complex, all_finite(complex)) {}
+
+Boundary::Boundary(const TetComplex& complex, Flags solid)
     : complex_(&complex),
-      solid_(complex.tet_count(), 0),
+      solid_(std::move(solid)),
       triangle_(complex.triangle_count(), 0),
       triangles_at_edge_(complex.edge_count(), 0),
       triangles_at_vertex_(complex.vertex_count(), 0),
       hidden_(complex.vertex_count()) {
-  for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-    solid_[t] = 1;
-    for (int i = 0; i < 4; ++i) {
-      if (!complex.finite(complex.neighbor(TetId{t}, i))) toggle(TetId{t}, i);
-    }
+  for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
+    const Facet f = complex.facet(TriangleId{t});
+    if (solid_[+f.tet] != solid_[+complex.neighbor(f.tet, f.corner)]) toggle(f.tet, f.corner);
   }
 }
 
@@ -35,7 +48,12 @@ void Boundary::toggle(TetId t, int corner) {
 
 void Boundary::remove(TetId t) {
   assert(solid(t));
-  solid_[+t] = 0;
+  flip(t);
+}
+
+void Boundary::flip(TetId t) {
+  assert(complex_->finite(t));
+  solid_[+t] ^= 1;
   for (int i = 0; i < 4; ++i) toggle(t, i);
 }
 
@@ -52,7 +70,7 @@ Exposure exposure(const Boundary& boundary, TetId t) {
   Exposure e;
   int opposite = 0;  // with one boundary face, the corner opposite to it
   for (int i = 0; i < 4; ++i) {
-    const bool on = !boundary.solid(complex.neighbor(t, i));
+    const bool on = boundary.solid(complex.neighbor(t, i)) != boundary.solid(t);
     e.on_boundary[static_cast<std::size_t>(i)] = on;
     e.faces += on;
     if (on) opposite = i;

@@ -14,13 +14,14 @@
 /// The solid being sculpted and its boundary.
 namespace tetsculpt {
 
-/// A set of tetrahedra of a complex (at first all finite ones), with the triangles between it and the
-/// rest. A vertex or edge is on the boundary if a boundary triangle holds it. All updates and queries
+/// A set of finite tetrahedra of a complex, with the triangles between it and the rest. A vertex or edge is on the boundary if a boundary triangle holds it. All updates and queries
 /// take constant time and allocate nothing.
 class Boundary {
  public:
-  /// Keeps a reference to the complex, which must outlive it.
+  /// All finite tetrahedra. Keeps a reference to the complex, which must outlive it.
   explicit Boundary(const TetComplex& complex);
+  /// The flagged tetrahedra; infinite ones must not be.
+  Boundary(const TetComplex& complex, Flags solid);
 
   const TetComplex& complex() const { return *complex_; }
   bool solid(TetId t) const { return solid_[+t] != 0; }
@@ -28,12 +29,14 @@ class Boundary {
   bool on_boundary(TriangleId t) const { return triangle_[+t] != 0; }
   bool on_boundary(EdgeId e) const { return triangles_at_edge_[+e] != 0; }
   bool on_boundary(VertexId v) const { return triangles_at_vertex_[+v] != 0; }
-  /// Finite vertices that are not on the boundary.
+  /// Vertices that are not on the boundary: all their tetrahedra are solid, or none is.
   std::size_t hidden_count() const { return hidden_; }
   std::vector<VertexId> hidden_vertices() const;
 
   /// Takes a solid tetrahedron off the solid.
   void remove(TetId t);
+  /// Takes a finite tetrahedron off the solid, or adds it.
+  void flip(TetId t);
 
  private:
   void toggle(TetId t, int corner);
@@ -54,8 +57,9 @@ struct Exposure {
   int opposite_edge = -1;  ///< with two faces: the tetrahedron's edge that joins the other two facets
 };
 
-/// Classifies a solid tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
-/// 2-manifold of the same topology: never with three or four boundary faces.
+/// Classifies a tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
+/// 2-manifold of the same topology: never with three or four boundary faces. The rules are the same for
+/// taking a solid tetrahedron off and for adding one that is not.
 Exposure exposure(const Boundary& boundary, TetId t);
 
 /// The boundary triangles of a set of tetrahedra, counterclockwise from outside the solid, in the order

@@ -9,6 +9,7 @@
 #include "kernel/emst.h"
 #include "kernel/first_simplex.h"
 #include "kernel/gabriel.h"
+#include "sculpt/sculpt_guided.h"
 #include "sculpt/sculpt_paper.h"
 
 namespace tetsculpt {
@@ -50,6 +51,16 @@ Constraints constraints(std::span<const Point3> points, const TetComplex& comple
   Constraints result{std::move(egh.triangles), Flags(complex.edge_count(), 0)};
   for (const EdgeId e : tree) result.emst_edges[+e] = 1;
   return result;
+}
+
+Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex,
+                 const Constraints& held_back, const ReconstructOptions& options) {
+  const auto progress = stage_progress(options, "sculpt");
+  if (options.method == Method::kGuided) {
+    return sculpt_guided(points, complex, held_back.egh_triangles, {.progress = progress});
+  }
+  return sculpt_paper(points, complex, held_back,
+                      {.criterion = options.criterion, .progress = progress});
 }
 
 /// Renumbers a surface over lexicographic vertex ids to the order of the input and fills in the rest.
@@ -97,9 +108,7 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
       constraints(distinct.points, complex, options.threads, out.counts);
   out.seconds.graphs = watch.lap();
 
-  const PaperOptions paper{.criterion = options.criterion,
-                           .progress = stage_progress(options, "sculpt")};
-  const Sculpture sculpture = sculpt_paper(distinct.points, complex, held_back, paper);
+  const Sculpture sculpture = sculpt(distinct.points, complex, held_back, options);
   out.counts.holes = sculpture.holes.size();
   write_mesh(points, distinct, complex, sculpture, out);
   out.seconds.sculpt = watch.lap();

@@ -16,11 +16,12 @@
 namespace tetsculpt {
 
 enum class Method {
-  kPaper,  ///< sculpting as in Attene, Spagnuolo 2000; see sculpt/sculpt_paper.h
+  kGuided,  ///< by evidence for inside and outside; see sculpt/sculpt_guided.h
+  kPaper,   ///< as in Attene, Spagnuolo 2000; see sculpt/sculpt_paper.h
 };
 
 struct ReconstructOptions {
-  Method method = Method::kPaper;
+  Method method = Method::kGuided;
   /// Order of removal of the paper's method.
   Criterion criterion = Criterion::kConstrained;
   /// Most threads to use, at least 1. The result does not depend on it.

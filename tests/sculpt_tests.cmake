@@ -9,6 +9,7 @@ foreach(
   boundary_counts_test
   paper_bodies_test
   paper_euler_relation_test
+  paper_lifting_test
   paper_order_test
   paper_rules_test
   priority_corner_order_test

@@ -16,7 +16,8 @@ namespace {
 template <class Value>
 using Named = std::pair<std::string_view, Value>;
 
-constexpr std::array<Named<Method>, 1> kMethods{{{"paper", Method::kPaper}}};
+constexpr std::array<Named<Method>, 2> kMethods{
+    {{"guided", Method::kGuided}, {"paper", Method::kPaper}}};
 constexpr std::array<Named<Criterion>, 4> kCriteria{{{"area", Criterion::kMinimalArea},
                                                      {"gamma", Criterion::kGamma},
                                                      {"longest", Criterion::kLongestEdge},
@@ -144,9 +145,11 @@ through every one of them. It needs positions only: no normals, no parameter.
   SURFACE   .ply .obj .off .stl .wrl
 
 Options:
-  --method NAME      how to sculpt: paper (Attene, Spagnuolo 2000; the default)
-  --criterion NAME   which tetrahedron goes first: constrained (the paper's own,
-                     the default), longest, area, gamma
+  --method NAME      how to sculpt: guided by evidence for inside and outside
+                     (the default), or paper (Attene, Spagnuolo 2000)
+  --criterion NAME   with --method paper, which tetrahedron goes first:
+                     constrained (the paper's own, the default), longest,
+                     area, gamma
   --skip-invalid     drop points with a NaN or infinite coordinate and say how
                      many; without this they are an error
   --threads N        use at most N threads (default: all cores); the surface

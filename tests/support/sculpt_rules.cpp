@@ -58,11 +58,15 @@ bool Rules::removable(TetId t) const {
 }
 
 bool Rules::allowed(TetId t) const {
-  if (!removable(t)) return false;
   const std::vector<Corners> faces = replay_.boundary_facets(t);
-  if (std::ranges::any_of(faces, [&](const Corners& f) { return egh_.contains(f); })) return false;
-  return faces.size() == 1 ||
-         !in_tree(edge_where(stages_->complex.vertices(t), faces[0], faces[1], true));
+  return removable(t) && !common_edge_in_tree(t) &&
+         std::ranges::none_of(faces, [&](const Corners& f) { return egh_.contains(f); });
+}
+
+bool Rules::common_edge_in_tree(TetId t) const {
+  const std::vector<Corners> faces = replay_.boundary_facets(t);
+  return faces.size() == 2 &&
+         in_tree(edge_where(stages_->complex.vertices(t), faces[0], faces[1], true));
 }
 
 bool Rules::exposes_tree_edge(TetId t) const {

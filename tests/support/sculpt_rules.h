@@ -22,15 +22,17 @@ class Rules {
   bool removable(TetId t) const;
   /// Removable, no boundary face in the EGH, and two faces' common edge not in the EMST.
   bool allowed(TetId t) const;
+  /// Has two boundary faces, and their common edge is in the EMST.
+  bool common_edge_in_tree(TetId t) const;
   /// Has an EMST edge that its removal would bring to the boundary.
   bool exposes_tree_edge(TetId t) const;
   /// No solid tetrahedron has the property.
   bool none(const std::function<bool(TetId)>& property) const;
   bool none(bool (Rules::*property)(TetId) const) const;
 
+ private:
   bool in_tree(EndPoints edge) const { return tree_.contains(edge); }
 
- private:
   const Stages* stages_;
   Replay replay_;
   std::set<TetId> removed_;
