@@ -39,8 +39,7 @@ void run_delaunay(benchmark::State& state, Generator generate) {
 }
 
 void run_graphs(benchmark::State& state, Generator generate) {
-  const auto distinct =
-      distinct_points(generate(static_cast<std::size_t>(state.range(0)), kSeed));
+  const auto distinct = distinct_points(generate(static_cast<std::size_t>(state.range(0)), kSeed));
   const TetComplex complex = delaunay(distinct);
   for (auto _ : state) {
     const Flags gabriel = gabriel_edges(distinct.points, complex);
@@ -66,12 +65,11 @@ void add(const std::string& name, Arguments... arguments) {
 }
 
 void add_all() {
-  const std::pair<const char*, Generator> sets[] = {
-      {"cube", point_sets::uniform_cube},
-      {"bumpy_sphere", point_sets::bumpy_sphere},
-      {"torus", point_sets::random_torus},
-      {"grid", grid_of},
-      {"clusters", point_sets::clusters}};
+  const std::pair<const char*, Generator> sets[] = {{"cube", point_sets::uniform_cube},
+                                                    {"bumpy_sphere", point_sets::bumpy_sphere},
+                                                    {"torus", point_sets::random_torus},
+                                                    {"grid", grid_of},
+                                                    {"clusters", point_sets::clusters}};
   for (const auto& [name, generate] : sets) {
     add(std::string("delaunay/") + name, run_delaunay, generate);
     add(std::string("graphs/") + name, run_graphs, generate);

@@ -13,9 +13,9 @@ struct DelaunayOptions {
   std::function<void(double)> progress = {};
 };
 
-/// DT(P), ties broken by kernel/perturbation: one function of the point set. No tetrahedron is flat, and
-/// every point is a vertex. Without any simplex if the points do not span a solid (all equal, on a
-/// line, or in a plane; first_simplex tells which). Cost: see kernel/lifted_hull.h.
+/// DT(P), ties broken by kernel/perturbation: one function of the point set. No tetrahedron is
+/// flat, and every point is a vertex. Without any simplex if the points do not span a solid (all
+/// equal, on a line, or in a plane; first_simplex tells which). Cost: see kernel/lifted_hull.h.
 TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options = {});
 
 }  // namespace tetsculpt

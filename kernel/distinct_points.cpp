@@ -59,8 +59,7 @@ int scale_exponent(const BinaryRange& range) {
   const int highest = kMaxExponent - range.top;
   if (lowest > highest) {
     throw InvalidPoint(range.unit_at,
-                       "the coordinates of the set span " +
-                           std::to_string(range.top - range.unit) +
+                       "the coordinates of the set span " + std::to_string(range.top - range.unit) +
                            " binary orders of magnitude, more than the " +
                            std::to_string(kMaxExponent - kMinExponent) +
                            " in which arithmetic is exact; this point has the smallest digit");

@@ -11,8 +11,8 @@
 #include "kernel/ids.h"
 #include "kernel/point.h"
 
-/// The entrance of the kernel: checks the input, merges equal points, and brings the coordinates into
-/// the range in which the predicates are exact.
+/// The entrance of the kernel: checks the input, merges equal points, and brings the coordinates
+/// into the range in which the predicates are exact.
 namespace tetsculpt {
 
 /// A point that the kernel can't take: a NaN or infinite coordinate, or coordinates whose spread no
@@ -50,8 +50,8 @@ inline constexpr int kMinExponent = -179;
 /// 100 million points. Cost: one sort.
 DistinctPoints distinct_points(std::span<const Point3> points);
 
-/// The largest k such that all coordinates are multiples of 2^k; 0 if all are zero. Where a polynomial's
-/// value is below 2^53 of its unit, double arithmetic is exact.
+/// The largest k such that all coordinates are multiples of 2^k; 0 if all are zero. Where a
+/// polynomial's value is below 2^53 of its unit, double arithmetic is exact.
 int unit_exponent(std::span<const Point3> points);
 
 std::optional<std::string> broken_invariant(const DistinctPoints& distinct,

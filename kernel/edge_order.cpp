@@ -20,7 +20,6 @@ double squared_length(const Point3& a, const Point3& b) {
   return x * x + y * y + z * z;
 }
 
-
 }  // namespace
 
 std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetComplex& complex,
@@ -34,7 +33,8 @@ std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetCom
   }
   radix_sort(items);
 
-  // Below this all arithmetic on squared lengths is exact, because they are multiples of the unit's.
+  // Below this all arithmetic on squared lengths is exact, because they are multiples of the
+  // unit's.
   const double exact_below = std::ldexp(1.0, 53 + 2 * unit_exponent(points));
   const auto shorter = [&](const KeyedIndex& p, const KeyedIndex& q) {
     const double pp = std::bit_cast<double>(p.key);
@@ -51,8 +51,8 @@ std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetCom
   const double near = 1 + 11 * DBL_EPSILON;
   for (auto first = items.begin(); first != items.end();) {
     auto last = first + 1;
-    while (last != items.end() && std::bit_cast<double>(last->key) <=
-                                      near * std::bit_cast<double>((last - 1)->key)) {
+    while (last != items.end() &&
+           std::bit_cast<double>(last->key) <= near * std::bit_cast<double>((last - 1)->key)) {
       ++last;
     }
     if (last - first > 1) std::sort(first, last, shorter);

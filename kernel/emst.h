@@ -16,8 +16,8 @@ namespace tetsculpt {
 /// Kruskal's finds the same tree.  Cost: nearly linear in `by_length`.
 std::vector<EdgeId> emst(const TetComplex& complex, std::span<const EdgeId> by_length);
 
-/// NNG(P): the edges that are the shortest, in that order, at one of their end points; a subset of the
-/// EMST. `by_length` as for emst.  Cost: linear.
+/// NNG(P): the edges that are the shortest, in that order, at one of their end points; a subset of
+/// the EMST. `by_length` as for emst.  Cost: linear.
 std::vector<EdgeId> nearest_neighbor_graph(const TetComplex& complex,
                                            std::span<const EdgeId> by_length);
 

@@ -1,6 +1,7 @@
 // Expansion arithmetic after J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast
-// robust geometric predicates", Discrete & Computational Geometry 18, 1997, section 2. The products use
-// Dekker's splitting, not a fused multiply-add, so that every x86-64 and ARM build computes alike.
+// robust geometric predicates", Discrete & Computational Geometry 18, 1997, section 2. The products
+// use Dekker's splitting, not a fused multiply-add, so that every x86-64 and ARM build computes
+// alike.
 #include "kernel/expansion.h"
 
 #include <algorithm>

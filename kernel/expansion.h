@@ -7,12 +7,12 @@
 
 #include "kernel/sign.h"
 
-/// Floating-point expansions: exact sums of doubles, for polynomials whose sign a filter can't decide.
-/// [Shewchuk 1997]
+/// Floating-point expansions: exact sums of doubles, for polynomials whose sign a filter can't
+/// decide. [Shewchuk 1997]
 ///
-/// An expansion is a list of nonoverlapping doubles in increasing magnitude without zeros; its value is
-/// their exact sum. Sums, differences and products of expansions are exact as long as no component
-/// overflows or falls below 2^-1074, which the domain of kernel/predicates.h guarantees.
+/// An expansion is a list of nonoverlapping doubles in increasing magnitude without zeros; its
+/// value is their exact sum. Sums, differences and products of expansions are exact as long as no
+/// component overflows or falls below 2^-1074, which the domain of kernel/predicates.h guarantees.
 namespace tetsculpt {
 
 /// Storage of the expansions of one computation. The first 4096 doubles are on the stack.

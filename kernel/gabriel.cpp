@@ -1,5 +1,6 @@
-// The paper's "smallest sphere of three points" is read as the smallest circumscribing sphere, centred
-// in their plane; the smallest enclosing ball would admit triangles that are not in the complex.
+// The paper's "smallest sphere of three points" is read as the smallest circumscribing sphere,
+// centred in their plane; the smallest enclosing ball would admit triangles that are not in the
+// complex.
 #include "kernel/gabriel.h"
 
 #include "kernel/parallel.h"

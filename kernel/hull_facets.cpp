@@ -1,18 +1,20 @@
-// A facet's hyperplane is computed once, relative to its first corner p, so that a visibility test is
-// three subtractions, a square and four multiply-adds instead of a 4 x 4 determinant.
+// A facet's hyperplane is computed once, relative to its first corner p, so that a visibility test
+// is three subtractions, a square and four multiply-adds instead of a 4 x 4 determinant.
 //
-// Error bound. Let A, B, C be the differences of the other corners from p and d that of the query, each
-// with a fourth component |.|^2, and u = 2^-53. Roundings per path: differences 1, squares 5; a 2 x 2
-// minor of x, y, z 4, with the lift 8; a 3 x 3 minor without the lift 8, with it 12; times the query's
-// component and summed 12 + 1 + 1 + 3 = 8 + 5 + 1 + 3 = 17. The permanents obey, by Cauchy-Schwarz,
+// Error bound. Let A, B, C be the differences of the other corners from p and d that of the query,
+// each with a fourth component |.|^2, and u = 2^-53. Roundings per path: differences 1, squares 5;
+// a 2 x 2 minor of x, y, z 4, with the lift 8; a 3 x 3 minor without the lift 8, with it 12; times
+// the query's component and summed 12 + 1 + 1 + 3 = 8 + 5 + 1 + 3 = 17. The permanents obey, by
+// Cauchy-Schwarz,
 //     P(y,z,w) <= |A| |B| |C| (|A| + |B| + |C|) =: pi sigma,    P(x,y,z) <= 1.16 pi,
 // so the value is off by at most 17 u pi (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny); the
 // constants 18 and 22 below cover the roundings of the bound itself. For an infinite facet C is
 // (0, 0, 0, 1), the value is -(A x B).d, and 8 u |A| |B| (|dx| + |dy| + |dz|) is enough.
 //
-// All coordinates are multiples of a unit g. If the bound on the permanents is below 2^53 g^5, every
-// intermediate result is a multiple of its power of g that fits in 53 bits: nothing was rounded, and the
-// computed value is exact (for an infinite facet: 2^53 g^3). On integer grids this decides nearly all ties without expansions.
+// All coordinates are multiples of a unit g. If the bound on the permanents is below 2^53 g^5,
+// every intermediate result is a multiple of its power of g that fits in 53 bits: nothing was
+// rounded, and the computed value is exact (for an infinite facet: 2^53 g^3). On integer grids this
+// decides nearly all ties without expansions.
 #include "kernel/hull_facets.h"
 
 #include <cassert>
@@ -123,7 +125,8 @@ bool Facets::decide(FacetIndex f, Site q, Height h) const {
   return coplanar_visible(f, q);
 }
 
-/// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite one.
+/// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite
+/// one.
 bool Facets::coplanar_visible(FacetIndex f, Site q) const {
   const auto& c = corners_[facet_of(neighbors_[f][infinite_corner(f)])];
   return in_perturbed_sphere(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);

@@ -8,8 +8,8 @@
 
 #include "kernel/point.h"
 
-/// The store of the lifted hull while it grows: facets with their neighbours, hyperplanes and conflict
-/// sets. Internal to kernel/lifted_hull.
+/// The store of the lifted hull while it grows: facets with their neighbours, hyperplanes and
+/// conflict sets. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
 /// A site is a point's place in the order of insertion; a facet's index is stable while it lives.
@@ -35,16 +35,20 @@ struct LiftedDifference {
 
 /// A facet's lifted hyperplane through its first corner p. The value of
 ///     nx dx + ny dy + nz dz + nw |d|^2,  d = q - p,
-/// is positive if the facet is visible from q, and off by at most e1 (|dx| + |dy| + |dz|) + e2 |d|^2.
+/// is positive if the facet is visible from q, and off by at most e1 (|dx| + |dy| + |dz|) + e2
+/// |d|^2.
 struct Hyperplane {
   double nx, ny, nz, nw;
   double e1, e2;
 };
 
-///        0            Corner 0 is finite: in a facet of a cone, the cone's apex. Neighbour i shares the
+///        0            Corner 0 is finite: in a facet of a cone, the cone's apex. Neighbour i
+///        shares the
 ///       /|\           ridge opposite corner i. The corners of a finite facet, in this order, are a
-///      / | \          positively oriented tetrahedron (orient3d); an infinite facet's orientation is
-///     1--|--3         the one by which shared ridges have opposite orientations in their two facets.
+///      / | \          positively oriented tetrahedron (orient3d); an infinite facet's orientation
+///      is
+///     1--|--3         the one by which shared ridges have opposite orientations in their two
+///     facets.
 ///      \ | /
 ///        2
 class Facets {
@@ -70,8 +74,8 @@ class Facets {
   /// The corner at infinity, or 4 if the facet is finite.
   std::uint32_t infinite_corner(FacetIndex f) const;
 
-  /// Sets the hyperplane through the facet's first corner and three others at these differences from
-  /// it, in the order of the corners; a null pointer stands for the site at infinity.
+  /// Sets the hyperplane through the facet's first corner and three others at these differences
+  /// from it, in the order of the corners; a null pointer stands for the site at infinity.
   void set_hyperplane(FacetIndex f, const LiftedDifference* a, const LiftedDifference* b,
                       const LiftedDifference* c);
   /// Computes the differences, too.

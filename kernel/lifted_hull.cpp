@@ -1,14 +1,15 @@
-// Quickhull (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM
-// Transactions on Mathematical Software 22(4), 1996) on the lifted points and the point at infinity
-// above them (K. Q. Brown, "Voronoi diagrams from convex hulls", Information Processing Letters 9(5),
-// 1979). Each facet keeps the points that see it, farthest first; take a facet's farthest point, find
-// the facets it sees and their horizon, put a cone over the horizon, hand the orphans on.
+// Quickhull (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls",
+// ACM Transactions on Mathematical Software 22(4), 1996) on the lifted points and the point at
+// infinity above them (K. Q. Brown, "Voronoi diagrams from convex hulls", Information Processing
+// Letters 9(5), 1979). Each facet keeps the points that see it, farthest first; take a facet's
+// farthest point, find the facets it sees and their horizon, put a cone over the horizon, hand the
+// orphans on.
 //
-// Departures: conflict sets hold one round of points at a time (kernel/spatial_order), each about as
-// large as all before it, and points are worked in the order of a Hilbert curve: a point is then handed
-// on about 4 ln 2 times instead of 4 ln n, and the facets in use stay in cache. A round's points find
-// their first facet by walking down the power of the facets' spheres, from where the last one ended.
-// No point is ever discarded: all lifted points are extreme.
+// Departures: conflict sets hold one round of points at a time (kernel/spatial_order), each about
+// as large as all before it, and points are worked in the order of a Hilbert curve: a point is then
+// handed on about 4 ln 2 times instead of 4 ln n, and the facets in use stay in cache. A round's
+// points find their first facet by walking down the power of the facets' spheres, from where the
+// last one ended. No point is ever discarded: all lifted points are extreme.
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
@@ -51,7 +52,8 @@ struct Conflict {
 class Worker {
  public:
   Worker(std::span<const Point3> sites, std::vector<std::size_t> round_begin, double unit);
-  void run(const std::array<std::uint32_t, 4>& simplex, const std::function<void(double)>& progress);
+  void run(const std::array<std::uint32_t, 4>& simplex,
+           const std::function<void(double)>& progress);
   LiftedHull result(std::span<const VertexId> vertex_of_site);
 
  private:
@@ -76,22 +78,23 @@ class Worker {
   mutable Facets facets_;
   std::vector<Conflict> conflicts_;
   std::uint32_t stamp_ = 0;
-  FacetIndex last_ = 0;                 ///< a facet that is alive
-  std::vector<FacetIndex> free_;        ///< facets that died without a successor
+  FacetIndex last_ = 0;           ///< a facet that is alive
+  std::vector<FacetIndex> free_;  ///< facets that died without a successor
   // Of the insertion under way:
   std::vector<FacetIndex> visible_;
   std::vector<HorizonRidge> horizon_;
   std::vector<Site> orphans_;
-  std::vector<FacetIndex> cone_;        ///< new facet per horizon ridge
+  std::vector<FacetIndex> cone_;                     ///< new facet per horizon ridge
   std::vector<std::array<std::uint32_t, 3>> local_;  ///< its corners' numbers among the horizon's
   std::vector<LiftedDifference> spokes_;             ///< per number, the corner minus the apex
   std::uint32_t infinite_number_ = kNone;
-  std::vector<std::uint32_t> number_of_;             ///< per site and, last, the one at infinity
+  std::vector<std::uint32_t> number_of_;  ///< per site and, last, the one at infinity
   std::vector<std::uint32_t> number_stamp_;
-  std::vector<Ridge> half_ridge_;       ///< per ordered pair of numbers
+  std::vector<Ridge> half_ridge_;  ///< per ordered pair of numbers
 };
 
-constexpr std::size_t kLargeCone = 256;  // above so many corners, pairs are sorted instead of tabulated
+constexpr std::size_t kLargeCone =
+    256;  // above so many corners, pairs are sorted instead of tabulated
 
 Worker::Worker(std::span<const Point3> sites, std::vector<std::size_t> round_begin, double unit)
     : sites_(sites),
@@ -191,7 +194,8 @@ void Worker::find_horizon(Site apex, FacetIndex seen) {
         }
         mark = is_hidden;
       }
-      // The apex takes corner i's place; a double exchange, which keeps the orientation, puts it first.
+      // The apex takes corner i's place; a double exchange, which keeps the orientation, puts it
+      // first.
       const auto& c = facets_.corners(f);
       static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
       horizon_.push_back({{c[kOthers[i][0]], c[kOthers[i][1]], c[kOthers[i][2]]}, neighbors[i]});
@@ -310,8 +314,8 @@ void Worker::link_large_cone() {
   }
 }
 
-/// Hands each orphan to a facet of the cone that it sees; there is one, because an orphan saw a facet
-/// that is gone and still lies outside the hull.
+/// Hands each orphan to a facet of the cone that it sees; there is one, because an orphan saw a
+/// facet that is gone and still lies outside the hull.
 void Worker::reassign_conflicts(Site apex) {
   conflicts_[apex].facet = kNone;
   for (const Site q : orphans_) {
@@ -341,9 +345,9 @@ void Worker::add_conflict(Site q, FacetIndex f, double height) {
   }
 }
 
-/// A facet that q sees. Walks to neighbours whose sphere has the smaller power of q, which is the side
-/// of their common triangle's plane on which q lies; every step is a few multiply-adds, and the walk
-/// may end as soon as the power is negative. Rounding can only end it early.
+/// A facet that q sees. Walks to neighbours whose sphere has the smaller power of q, which is the
+/// side of their common triangle's plane on which q lies; every step is a few multiply-adds, and
+/// the walk may end as soon as the power is negative. Rounding can only end it early.
 FacetIndex Worker::locate(Site q, FacetIndex from) const {
   FacetIndex f = from;
   if (const auto i = facets_.infinite_corner(f); i != 4) {

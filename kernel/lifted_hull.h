@@ -16,7 +16,8 @@ namespace tetsculpt {
 /// One facet of a tetrahedron: 4 * tetrahedron + the corner opposite the facet.
 using FacetHandle = std::uint32_t;
 
-/// The tetrahedra, finite ones first, then one infinite tetrahedron per triangle of the convex hull.
+/// The tetrahedra, finite ones first, then one infinite tetrahedron per triangle of the convex
+/// hull.
 struct LiftedHull {
   /// Corners. Finite tetrahedra are positively oriented (orient3d of the corners is kPositive); one
   /// corner of an infinite one is kInfinite. A triangle has opposite orientations in its two sides.

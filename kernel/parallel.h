@@ -9,9 +9,9 @@
 /// Loops over independent items on several threads.
 namespace tetsculpt {
 
-/// Calls work(begin, end) on disjoint ranges that cover [0, n), on up to `threads` threads (at least
-/// one, the caller's). Items must be independent, so that the result does not depend on the split.
-/// Rethrows one exception of those thrown.
+/// Calls work(begin, end) on disjoint ranges that cover [0, n), on up to `threads` threads (at
+/// least one, the caller's). Items must be independent, so that the result does not depend on the
+/// split. Rethrows one exception of those thrown.
 template <class Work>
 void parallel_ranges(std::size_t n, int threads, Work&& work) {
   constexpr std::size_t kWorthAThread = 4096;

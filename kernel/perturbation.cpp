@@ -1,6 +1,7 @@
-// Simulation of simplicity on the lift: H. Edelsbrunner, E. P. Muecke, "Simulation of simplicity", ACM
-// Transactions on Graphics 9(1), 1990; for the lift alone, O. Devillers, M. Teillaud, "Perturbations
-// for Delaunay and weighted Delaunay 3D triangulations", Computational Geometry 44(3), 2011.
+// Simulation of simplicity on the lift: H. Edelsbrunner, E. P. Muecke, "Simulation of simplicity",
+// ACM Transactions on Graphics 9(1), 1990; for the lift alone, O. Devillers, M. Teillaud,
+// "Perturbations for Delaunay and weighted Delaunay 3D triangulations", Computational Geometry
+// 44(3), 2011.
 #include "kernel/perturbation.h"
 
 #include <algorithm>
@@ -33,9 +34,9 @@ bool in_perturbed_sphere(const Point3& a, const Point3& b, const Point3& c, cons
   return side == Sign::kZero ? perturbed_inside(a, b, c, d, e) : side == Sign::kPositive;
 }
 
-// The insphere determinant is linear in the lifts. The coefficient of eps_a is -orient3d(b, c, d, e) and
-// so on with alternating signs; that of eps_e is -orient3d(a, b, c, d), which is negative: so the loop
-// ends at e at the latest.
+// The insphere determinant is linear in the lifts. The coefficient of eps_a is -orient3d(b, c, d,
+// e) and so on with alternating signs; that of eps_e is -orient3d(a, b, c, d), which is negative:
+// so the loop ends at e at the latest.
 bool perturbed_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                       const Point3& e) {
   std::array<Ranked, 5> points{{{&a, 0}, {&b, 1}, {&c, 2}, {&d, 3}, {&e, 4}}};

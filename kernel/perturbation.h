@@ -6,8 +6,8 @@
 ///
 /// Point p is lifted to (p, |p|^2 + eps_p) with infinitesimal positive eps_p, where the eps of a
 /// lexicographically greater point dominates all those of smaller ones. Cospherical sets get one
-/// well-defined answer that depends on nothing but the points; coplanar points stay coplanar, because
-/// orient3d is not perturbed.  [Edelsbrunner, Muecke 1990; Devillers, Teillaud 2011]
+/// well-defined answer that depends on nothing but the points; coplanar points stay coplanar,
+/// because orient3d is not perturbed.  [Edelsbrunner, Muecke 1990; Devillers, Teillaud 2011]
 ///
 /// Precondition of all: the points are pairwise distinct and in the domain of kernel/predicates.h.
 namespace tetsculpt {

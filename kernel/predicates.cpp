@@ -1,13 +1,15 @@
 // Each predicate is a polynomial in differences of coordinates, decided in three stages:
 //   1. in doubles, with an error bound relative to the polynomial's permanent (all signs positive);
-//   2. exactly, but on the rounded differences: decides if no difference was rounded, or if the value
+//   2. exactly, but on the rounded differences: decides if no difference was rounded, or if the
+//   value
 //      exceeds what their rounding can change;
 //   3. exactly, on differences of two components.
 //
-// Error bounds, with u = 2^-53. A value computed through at most k roundings along any path from the
-// inputs is off by at most ((1+u)^k - 1) P, P the permanent. The computed permanent is itself at least
-// (1-u)^k P, so (k+1) u times it covers both for every k here (k < 30). In stage 2 only the roundings
-// of the differences count, one for each degree m; (m+2) u covers them and the rounding of estimate().
+// Error bounds, with u = 2^-53. A value computed through at most k roundings along any path from
+// the inputs is off by at most ((1+u)^k - 1) P, P the permanent. The computed permanent is itself
+// at least (1-u)^k P, so (k+1) u times it covers both for every k here (k < 30). In stage 2 only
+// the roundings of the differences count, one for each degree m; (m+2) u covers them and the
+// rounding of estimate().
 #include "kernel/predicates.h"
 
 #include <array>
@@ -50,8 +52,8 @@ bool is_double(const Vec3<Expansion>& v) {
 template <class T, std::size_t N>
 using Differences = std::array<Vec3<T>, N>;
 
-/// The ladder. `Polynomial` gives value(differences) over doubles and expansions, permanent(absolute
-/// differences), kRoundings (k above) and kDegree (m above).
+/// The ladder. `Polynomial` gives value(differences) over doubles and expansions,
+/// permanent(absolute differences), kRoundings (k above) and kDegree (m above).
 template <class Polynomial, std::size_t N>
 Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
   Differences<double, N> rounded;
@@ -68,15 +70,16 @@ Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
   const auto expansions = [&](auto&& make) {
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
       return Differences<Expansion, N>{make(i)...};
-    }(std::make_index_sequence<N>{});
+    }
+    (std::make_index_sequence<N>{});
   };
   const auto exact =
       expansions([&](std::size_t i) { return exact_difference(*points[i], origin, arena); });
   bool all_doubles = true;
   for (const auto& d : exact) all_doubles = all_doubles && is_double(d);
   if (!all_doubles) {
-    const Expansion near =
-        Polynomial::value(expansions([&](std::size_t i) { return as_expansion(rounded[i], arena); }));
+    const Expansion near = Polynomial::value(
+        expansions([&](std::size_t i) { return as_expansion(rounded[i], arena); }));
     if (std::fabs(near.estimate()) > (Polynomial::kDegree + 2) * kUnit * permanent) {
       return near.sign();
     }
@@ -140,8 +143,8 @@ struct Diametral {
   static double permanent(const Differences<double, 2>& d) { return dot(d[0], d[1]); }
 };
 
-/// With u = b-a, v = c-a, e = p-a, w = u x v, the centre is a + ((w x u)|v|^2 + (v x w)|u|^2) / 2|w|^2,
-/// and p is inside iff |e|^2 |w|^2 is less than e times that numerator: no division.
+/// With u = b-a, v = c-a, e = p-a, w = u x v, the centre is a + ((w x u)|v|^2 + (v x w)|u|^2) /
+/// 2|w|^2, and p is inside iff |e|^2 |w|^2 is less than e times that numerator: no division.
 struct Equatorial {
   static constexpr int kRoundings = 19;
   static constexpr int kDegree = 6;
@@ -159,8 +162,8 @@ struct Equatorial {
   }
 };
 
-/// With differences from a: w . ((b-p) x (c-p)) = w . (u x v - e x v - u x e), since both factors are
-/// differences of u, v and e.
+/// With differences from a: w . ((b-p) x (c-p)) = w . (u x v - e x v - u x e), since both factors
+/// are differences of u, v and e.
 struct Barycentric {
   static constexpr int kRoundings = 13;
   static constexpr int kDegree = 4;
@@ -183,8 +186,7 @@ Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d
   return decide<Orient3d, 3>({&a, &b, &c}, d);
 }
 
-Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-              const Point3& e) {
+Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
   return decide<Insphere, 4>({&a, &b, &c, &d}, e);
 }
 
@@ -200,8 +202,8 @@ Sign barycentric_sign(const Point3& a, const Point3& b, const Point3& c, const P
   return decide<Barycentric, 3>({&b, &c, &p}, a);
 }
 
-// |ab|^2 - |cd|^2 has two origins, so it has a ladder of its own: the differences' roundings and the
-// square, sum and final subtraction make k = 2 + 1 + 2 + 1.
+// |ab|^2 - |cd|^2 has two origins, so it has a ladder of its own: the differences' roundings and
+// the square, sum and final subtraction make k = 2 + 1 + 2 + 1.
 Sign compare_lengths(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const Vec3<double> ab = rounded_difference(b, a);
   const Vec3<double> cd = rounded_difference(d, c);
@@ -221,8 +223,7 @@ bool collinear(const Point3& a, const Point3& b, const Point3& c) {
   const Vec3<double> bound = cross_permanent(abs(u), abs(v)) * (5 * kUnit);
   if (w.x > bound.x || w.y > bound.y || w.z > bound.z) return false;
   ExpansionArena arena;
-  const Vec3<Expansion> exact =
-      cross(exact_difference(b, a, arena), exact_difference(c, a, arena));
+  const Vec3<Expansion> exact = cross(exact_difference(b, a, arena), exact_difference(c, a, arena));
   return exact.x.sign() == Sign::kZero && exact.y.sign() == Sign::kZero &&
          exact.z.sign() == Sign::kZero;
 }

@@ -1,5 +1,5 @@
-// Rounds: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", SoCG 2003. Hilbert index:
-// J. Skilling, "Programming the Hilbert curve", AIP Conference Proceedings 707, 2004.
+// Rounds: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", SoCG 2003. Hilbert
+// index: J. Skilling, "Programming the Hilbert curve", AIP Conference Proceedings 707, 2004.
 #include "kernel/spatial_order.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace tetsculpt {
 namespace {
 
-constexpr int kBitsPerAxis = 18;       // a cell of the curve is 2^-18 of the box
-constexpr int kBitsPerRound = 1;       // a round is 2^1 - 1 times as large as all before it
+constexpr int kBitsPerAxis = 18;         // a cell of the curve is 2^-18 of the box
+constexpr int kBitsPerRound = 1;         // a round is 2^1 - 1 times as large as all before it
 constexpr std::size_t kFirstRound = 64;  // at most about so many points in the first round
 
 /// A well mixed function of the id (the finaliser of SplitMix64).

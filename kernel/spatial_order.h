@@ -17,10 +17,10 @@ struct SpatialOrder {
   std::vector<std::size_t> round_begin;
 };
 
-/// Biased randomised insertion order: points fall into rounds by pseudo-random coins (a fixed hash of
-/// the vertex id), each round about as large as all before it; a round is sorted along a
-/// Hilbert curve through the bounding box. Depends on nothing but the points.
-/// [Amenta, Choi, Rote 2003]  Cost: one radix sort.
+/// Biased randomised insertion order: points fall into rounds by pseudo-random coins (a fixed hash
+/// of the vertex id), each round about as large as all before it; a round is sorted along a Hilbert
+/// curve through the bounding box. Depends on nothing but the points. [Amenta, Choi, Rote 2003]
+/// Cost: one radix sort.
 SpatialOrder spatial_order(std::span<const Point3> points);
 
 }  // namespace tetsculpt

@@ -1,6 +1,6 @@
 // The complex of the paper's section 4, with triangles as one facet each and their edges reached
-// through it. Edges are found by turning around each one once, from the first tetrahedron that has it:
-// no hashing, no sorting.
+// through it. Edges are found by turning around each one once, from the first tetrahedron that has
+// it: no hashing, no sorting.
 #include "kernel/tet_complex.h"
 
 #include <utility>
@@ -52,11 +52,11 @@ void TetComplex::find_edges() {
       const EdgeId e{static_cast<std::uint32_t>(edges_.size())};
       const VertexId va = tets_[t][a];
       const VertexId vb = tets_[t][b];
-      edges_.push_back({{std::min(va, vb), std::max(va, vb)},
-                        triangles_of_tet_[t][kEdgeCorners[5 - k][0]]});
+      edges_.push_back(
+          {{std::min(va, vb), std::max(va, vb)}, triangles_of_tet_[t][kEdgeCorners[5 - k][0]]});
       turn_from(TetId{t}, a, b, [&](TetId s, int i, int j, int) {
-        edges_of_tet_[+s][kEdgeOfCorners[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]] =
-            e;
+        edges_of_tet_[+s]
+                     [kEdgeOfCorners[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]] = e;
         return true;
       });
     }
@@ -85,12 +85,14 @@ std::optional<std::string> broken_tet(const TetComplex& complex, TetId t,
   const auto& v = complex.vertices(t);
   int infinite = 0;
   for (const VertexId c : v) {
-    if (c == kInfinite) ++infinite;
-    else if (+c >= points.size()) return name(t) + " has a corner out of range";
+    if (c == kInfinite)
+      ++infinite;
+    else if (+c >= points.size())
+      return name(t) + " has a corner out of range";
   }
   if (infinite != (complex.finite(t) ? 0 : 1)) return name(t) + " has a wrong corner at infinity";
-  if (infinite == 0 && orient3d(points[+v[0]], points[+v[1]], points[+v[2]], points[+v[3]]) !=
-                           Sign::kPositive) {
+  if (infinite == 0 &&
+      orient3d(points[+v[0]], points[+v[1]], points[+v[2]], points[+v[3]]) != Sign::kPositive) {
     return name(t) + " is not positively oriented";
   }
   for (int i = 0; i < 4; ++i) {
@@ -103,11 +105,12 @@ std::optional<std::string> broken_tet(const TetComplex& complex, TetId t,
     const auto& theirs = kFacetCorners[static_cast<std::size_t>(other.corner)];
     bool opposite = false;
     for (std::size_t shift = 0; shift < 3; ++shift) {
-      opposite = opposite || (v[mine[0]] == w[theirs[shift]] &&
-                              v[mine[1]] == w[theirs[(shift + 2) % 3]] &&
-                              v[mine[2]] == w[theirs[(shift + 1) % 3]]);
+      opposite =
+          opposite || (v[mine[0]] == w[theirs[shift]] && v[mine[1]] == w[theirs[(shift + 2) % 3]] &&
+                       v[mine[2]] == w[theirs[(shift + 1) % 3]]);
     }
-    if (!opposite) return name(t) + " does not match its neighbour across facet " + std::to_string(i);
+    if (!opposite)
+      return name(t) + " does not match its neighbour across facet " + std::to_string(i);
     if (v[static_cast<std::size_t>(i)] != kInfinite && complex.finite(t) &&
         complex.triangle(t, i) != complex.triangle(other.tet, other.corner)) {
       return name(t) + " disagrees with a neighbour on their triangle";
@@ -125,9 +128,10 @@ std::optional<std::string> broken_edge(const TetComplex& complex, EdgeId e) {
     const auto& v = complex.vertices(f.tet);
     const int i = corner_of(v, a);
     const int j = corner_of(v, b);
-    good = good && third != a && third != b &&
-           complex.edge(f.tet, kEdgeOfCorners[static_cast<std::size_t>(i)]
-                                             [static_cast<std::size_t>(j)]) == e;
+    good =
+        good && third != a && third != b &&
+        complex.edge(f.tet,
+                     kEdgeOfCorners[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]) == e;
     return good;
   });
   if (!good) return edge + " is not the edge of a tetrahedron around it";

@@ -17,11 +17,15 @@
 /// structure (section 4). It knows no coordinates.
 namespace tetsculpt {
 
-///        0          Tetrahedron (v0, v1, v2, v3): facet i is opposite corner i. orient3d of the corners
-///       /|\         is positive, and facet i listed as kFacetCorners[i] looks counterclockwise from
-///      / | \        outside. Edge k joins the corners kEdgeCorners[k]; edge 5 - k is opposite to it.
+///        0          Tetrahedron (v0, v1, v2, v3): facet i is opposite corner i. orient3d of the
+///        corners
+///       /|\         is positive, and facet i listed as kFacetCorners[i] looks counterclockwise
+///       from
+///      / | \        outside. Edge k joins the corners kEdgeCorners[k]; edge 5 - k is opposite to
+///      it.
 ///     1--|--3
-///      \ | /        Infinite tetrahedra, with kInfinite as one corner, close the complex outside the
+///      \ | /        Infinite tetrahedra, with kInfinite as one corner, close the complex outside
+///      the
 ///        2          convex hull: finite ones have ids below finite_tet_count().
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetCorners{
     {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
@@ -83,9 +87,10 @@ class TetComplex {
   /// Some finite tetrahedron at the vertex.
   TetId tet(VertexId v) const { return tet_of_vertex_[+v]; }
 
-  /// Turns around the edge through all its tetrahedra, finite or not, starting at the one triangle it
-  /// stores: calls visit(Facet, VertexId) once per triangle at the edge, with that triangle's third
-  /// vertex (kInfinite outside the hull), in cyclic order. Stops early when visit returns false.
+  /// Turns around the edge through all its tetrahedra, finite or not, starting at the one triangle
+  /// it stores: calls visit(Facet, VertexId) once per triangle at the edge, with that triangle's
+  /// third vertex (kInfinite outside the hull), in cyclic order. Stops early when visit returns
+  /// false.
   template <class Visit>
   void turn(EdgeId e, Visit&& visit) const;
 

@@ -20,8 +20,8 @@ struct TriangleMesh {
 
 /// What a mesh is, judged from its triangles alone.
 struct Topology {
-  bool closed = false;         ///< every edge has exactly two triangles
-  bool edge_manifold = false;  ///< no edge has more than two
+  bool closed = false;           ///< every edge has exactly two triangles
+  bool edge_manifold = false;    ///< no edge has more than two
   bool vertex_manifold = false;  ///< the triangles at each vertex form one cycle (one fan if open)
   bool oriented = false;         ///< each directed edge occurs at most once
   std::size_t components = 0;    ///< connected components (by shared vertices)

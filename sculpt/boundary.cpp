@@ -78,8 +78,8 @@ Exposure exposure(const Boundary& boundary, TetId t) {
   if (e.faces == 1) {
     e.removable = !boundary.on_boundary(complex.vertices(t)[static_cast<std::size_t>(opposite)]);
   } else if (e.faces == 2) {
-    // Facets i and j are opposite corners i and j: their common edge joins the other two corners, and
-    // the edge opposite to it joins i and j.
+    // Facets i and j are opposite corners i and j: their common edge joins the other two corners,
+    // and the edge opposite to it joins i and j.
     for (std::size_t k = 0; k < 6; ++k) {
       const auto [i, j] = kEdgeCorners[k];
       if (e.on_boundary[i] && e.on_boundary[j]) e.opposite_edge = static_cast<int>(k);

@@ -14,8 +14,9 @@
 /// The solid being sculpted and its boundary.
 namespace tetsculpt {
 
-/// A set of finite tetrahedra of a complex, with the triangles between it and the rest. A vertex or edge is on the boundary if a boundary triangle holds it. All updates and queries
-/// take constant time and allocate nothing.
+/// A set of finite tetrahedra of a complex, with the triangles between it and the rest. A vertex or
+/// edge is on the boundary if a boundary triangle holds it. All updates and queries take constant
+/// time and allocate nothing.
 class Boundary {
  public:
   /// All finite tetrahedra. Keeps a reference to the complex, which must outlive it.
@@ -51,19 +52,21 @@ class Boundary {
 
 /// How a tetrahedron meets the boundary, and whether the basic rules allow its removal.
 struct Exposure {
-  int faces = 0;          ///< boundary faces
-  bool removable = false; ///< one face and the opposite vertex hidden, or two and the opposite edge
+  int faces = 0;  ///< boundary faces
+  bool removable =
+      false;  ///< one face and the opposite vertex hidden, or two and the opposite edge
   std::array<bool, 4> on_boundary{};  ///< per facet
-  int opposite_edge = -1;  ///< with two faces: the tetrahedron's edge that joins the other two facets
+  int opposite_edge =
+      -1;  ///< with two faces: the tetrahedron's edge that joins the other two facets
 };
 
 /// Classifies a tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
-/// 2-manifold of the same topology: never with three or four boundary faces. The rules are the same for
-/// taking a solid tetrahedron off and for adding one that is not.
+/// 2-manifold of the same topology: never with three or four boundary faces. The rules are the same
+/// for taking a solid tetrahedron off and for adding one that is not.
 Exposure exposure(const Boundary& boundary, TetId t);
 
-/// The boundary triangles of a set of tetrahedra, counterclockwise from outside the solid, in the order
-/// of the tetrahedra.
+/// The boundary triangles of a set of tetrahedra, counterclockwise from outside the solid, in the
+/// order of the tetrahedra.
 std::vector<std::array<VertexId, 3>> boundary_triangles(const TetComplex& complex,
                                                         const Flags& solid);
 

@@ -30,7 +30,8 @@ Circumspheres::Ball Circumspheres::finite_ball(TetId t) const {
   const Vec bc = cross(b, c);
   const Vec sum = bc * dot(a, a) + cross(c, a) * dot(b, b) + cross(a, b) * dot(c, c);
   const Vec offset = sum * (1 / (2 * dot(a, bc)));
-  return {as_vector(o) + offset, length(offset)};
+  const double radius = length(offset);
+  return {as_vector(o) + offset, std::isfinite(radius) ? radius : HUGE_VAL};
 }
 
 Circumspheres::Ball Circumspheres::half_space(TetId t) const {
@@ -55,8 +56,8 @@ double Circumspheres::overlap(TetId t, int corner) const {
   const Ball& a = balls_[+std::min(t, other.tet)];
   const Ball& b = balls_[+std::max(t, other.tet)];
   const Vec d = from_to(a.centre, b.centre);
-  const double cosine = (a.radius * a.radius + b.radius * b.radius - dot(d, d)) /
-                        (2 * a.radius * b.radius);
+  const double cosine =
+      (a.radius * a.radius + b.radius * b.radius - dot(d, d)) / (2 * a.radius * b.radius);
   return std::isfinite(cosine) ? std::clamp(cosine, -1.0, 1.0) : 0;
 }
 

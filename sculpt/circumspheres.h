@@ -8,8 +8,8 @@
 #include "kernel/tet_complex.h"
 #include "kernel/vec3.h"
 
-/// The spheres around the tetrahedra, whose centres are the Voronoi vertices. In floating point: they
-/// are evidence, never a decision about the complex.
+/// The spheres around the tetrahedra, whose centres are the Voronoi vertices. In floating point:
+/// they are evidence, never a decision about the complex.
 namespace tetsculpt {
 
 class Circumspheres {
@@ -17,15 +17,16 @@ class Circumspheres {
   /// Cost: linear, some 60 flops per tetrahedron. Keeps a reference to the complex.
   Circumspheres(std::span<const Point3> points, const TetComplex& complex);
 
-  /// Of a finite tetrahedron; not finite where it is flat to rounding.
+  /// Of a finite tetrahedron; of use only if the radius is finite.
   const Vec3<double>& centre(TetId t) const { return balls_[+t].centre; }
+  /// Infinite where the tetrahedron is flat to rounding; never NaN.
   double radius(TetId t) const { return balls_[+t].radius; }
   /// Outward unit normal of an infinite tetrahedron's hull triangle: its "sphere" is the half-space
   /// beyond.
   const Vec3<double>& outward(TetId t) const { return balls_[+t].centre; }
 
-  /// Cosine of the angle at which the spheres on both sides of a facet meet: 1 if they coincide, -1 if
-  /// they touch from outside; 0 where a sphere is not finite.  [Amenta, Choi, Kolluri 2001]
+  /// Cosine of the angle at which the spheres on both sides of a facet meet: 1 if they coincide, -1
+  /// if they touch from outside; 0 where a sphere is not finite.  [Amenta, Choi, Kolluri 2001]
   double overlap(TetId t, int corner) const;
 
  private:

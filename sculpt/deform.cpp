@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <queue>
 #include <vector>
 
-#include "sculpt/energy.h"
 #include "sculpt/priority.h"
 
 namespace tetsculpt {
@@ -20,16 +18,12 @@ bool flippable(const Boundary& boundary, TetId t) {
   return boundary.complex().finite(t) && exposure(boundary, t).removable;
 }
 
-double cost(const Boundary& boundary, const Evidence& evidence, TetId t) {
-  return flip_cost(boundary.complex(), evidence, boundary.solid(), t);
-}
-
 /// Looks for a short sequence of flips that brings one hidden vertex to the surface.
 class ExposureSearch {
  public:
-  ExposureSearch(Boundary& boundary, const VertexStars& stars, const Evidence& evidence,
+  ExposureSearch(Boundary& boundary, const VertexStars& stars, const Circumspheres& spheres,
                  VertexId v)
-      : boundary_(boundary), evidence_(evidence), v_(v) {
+      : boundary_(boundary), spheres_(spheres), v_(v) {
     const TetComplex& complex = boundary.complex();
     for (const TetId t : stars(v)) {
       for (const VertexId u : complex.vertices(t)) {
@@ -43,7 +37,7 @@ class ExposureSearch {
     region_.erase(std::unique(region_.begin(), region_.end()), region_.end());
   }
 
-  /// Applies the cheapest of the shortest sequences; false if there is none.
+  /// Applies the shortest sequence, of several the one with the least sum of radii; false if none.
   bool run() {
     for (int depth = 1; depth <= kDeepest && best_.empty(); ++depth) descend(depth, 0);
     for (const TetId t : best_) boundary_.flip(t);
@@ -56,7 +50,7 @@ class ExposureSearch {
       if (flips_ >= kMostFlips) return;
       if (!flippable(boundary_, t) || (depth == 1 && !holds_vertex(t))) continue;
       if (!path_.empty() && path_.back() == t) continue;
-      const double total = cost_so_far + cost(boundary_, evidence_, t);
+      const double total = cost_so_far + spheres_.radius(t);
       path_.push_back(t);
       boundary_.flip(t);
       ++flips_;
@@ -76,7 +70,7 @@ class ExposureSearch {
   }
 
   Boundary& boundary_;
-  const Evidence& evidence_;
+  const Circumspheres& spheres_;
   VertexId v_;
   std::vector<TetId> region_;
   std::vector<TetId> path_;
@@ -87,27 +81,26 @@ class ExposureSearch {
 
 }  // namespace
 
-void deform_towards(Boundary& boundary, const Evidence& evidence, const Flags& wanted) {
+void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flags& wanted) {
   struct Entry {
-    double cost;
+    double radius;
     TetId tet;
   };
   const TetComplex& complex = boundary.complex();
   const auto later = [&](const Entry& a, const Entry& b) {
-    return a.cost != b.cost ? a.cost > b.cost : corners_less(complex, b.tet, a.tet);
+    return a.radius != b.radius ? a.radius > b.radius : corners_less(complex, b.tet, a.tet);
   };
   std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
   const auto push = [&](TetId t) {
     if (boundary.solid()[+t] != wanted[+t] && flippable(boundary, t)) {
-      queue.push({cost(boundary, evidence, t), t});
+      queue.push({spheres.radius(t), t});
     }
   };
   for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) push(TetId{t});
   while (!queue.empty()) {
     const Entry entry = queue.top();
     queue.pop();
-    if (boundary.solid()[+entry.tet] == wanted[+entry.tet] || !flippable(boundary, entry.tet) ||
-        cost(boundary, evidence, entry.tet) != entry.cost) {
+    if (boundary.solid()[+entry.tet] == wanted[+entry.tet] || !flippable(boundary, entry.tet)) {
       continue;
     }
     boundary.flip(entry.tet);
@@ -115,12 +108,12 @@ void deform_towards(Boundary& boundary, const Evidence& evidence, const Flags& w
   }
 }
 
-void expose_hidden(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
+void expose_hidden(Boundary& boundary, const VertexStars& stars, const Circumspheres& spheres) {
   for (bool progress = true; progress && boundary.hidden_count() > 0;) {
     progress = false;
     for (const VertexId v : boundary.hidden_vertices()) {
       if (boundary.on_boundary(v)) continue;
-      progress = ExposureSearch(boundary, stars, evidence, v).run() || progress;
+      progress = ExposureSearch(boundary, stars, spheres, v).run() || progress;
     }
   }
 }

@@ -1,14 +1,18 @@
 // Evidence for inside and outside, from the points alone.
 //
-// 1. First guess. The two poles of a vertex lie on opposite sides of the surface, as surely as the angle
-//    between them is straight; two tetrahedra whose circumspheres overlap deeply lie on the same side,
-//    as surely as the cosine of the angle at which the spheres meet (N. Amenta, S. Choi, R. K. Kolluri,
-//    "The power crust", Solid Modeling 2001). Labels spread from infinity, the most certain first.
-// 2. Bias. A vertex whose poles got different labels has an oriented normal. Each tetrahedron at the
+// 1. First guess. The two poles of a vertex lie on opposite sides of the surface, as surely as the
+// angle
+//    between them is straight; two tetrahedra whose circumspheres overlap deeply lie on the same
+//    side, as surely as the cosine of the angle at which the spheres meet (N. Amenta, S. Choi, R.
+//    K. Kolluri, "The power crust", Solid Modeling 2001). Labels spread from infinity, the most
+//    certain first.
+// 2. Bias. A vertex whose poles got different labels has an oriented normal. Each tetrahedron at
+// the
 //    vertex is drawn to the side on which its circumcentre lies, by the square of the cosine to the
 //    normal; the two poles once more.
-// 3. Facets. A surface that separates deeply overlapping spheres costs most: ((1 + cos) / 2)^2, plus a
-//    little for every facet; half where the facet is a triangle of the EGH, which is likely there.
+// 3. Facets. A surface that separates deeply overlapping spheres costs most: ((1 + cos) / 2)^2,
+// plus a
+//    little for every facet; less where the facet is a triangle of the EGH, which is likely there.
 //
 // The weights below were chosen over the closed models of bench/quality.py (figures in
 // bench/RESULTS.md); none of them matters by more than two models within a factor of two.
@@ -25,9 +29,9 @@ namespace tetsculpt {
 namespace {
 
 constexpr double kPoleWeight = 0.2;
-constexpr double kNormalWeight = 0.4;
+constexpr double kNormalWeight = 0.3;
 constexpr double kFacetWeight = 0.02;
-constexpr double kEghFactor = 0.7;
+constexpr double kEghFactor = 0.85;
 /// Of an overlap with negative cosine, as evidence for opposite sides.
 constexpr double kWeakOpposition = 0.5;
 
@@ -59,8 +63,7 @@ class Propagation {
       queue_.pop();
       Label& label = label_[+entry.tet];
       if (label != Label::kUnknown || entry.certainty != certainty(entry.tet)) continue;
-      label = for_inside_[+entry.tet] > for_outside_[+entry.tet] ? Label::kInside
-                                                                 : Label::kOutside;
+      label = for_inside_[+entry.tet] > for_outside_[+entry.tet] ? Label::kInside : Label::kOutside;
       spread(entry.tet);
     }
     return std::move(label_);

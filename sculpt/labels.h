@@ -10,14 +10,15 @@ namespace tetsculpt {
 
 /// Flags per tetrahedron: is it believed inside? Infinite ones never are.
 struct Labels {
-  /// The least energy. A few vertices may have all their tetrahedra on one side.
+  /// Nearest to a surface: few vertices have all their tetrahedra on one side, few stars are bad.
   Flags likely;
-  /// The least energy after the poles of such vertices were made to insist on their sides.
+  /// The least energy once the poles of vertices that had all their tetrahedra on one side
+  /// insisted.
   Flags wanted;
 };
 
-/// Minimises the evidence's energy by minimum cuts. Changes `evidence.inside_bias` where poles insist.
-/// [Labatut, Pons, Keriven 2009 for cuts over a Delaunay complex]
+/// Minimises the evidence's energy by minimum cuts. Changes `evidence.inside_bias` where poles
+/// insist. [Labatut, Pons, Keriven 2009 for cuts over a Delaunay complex]
 Labels cut_labels(const TetComplex& complex, const VertexStars& stars, Evidence& evidence);
 
 }  // namespace tetsculpt

@@ -1,8 +1,9 @@
 // Y. Boykov, V. Kolmogorov, "An experimental comparison of min-cut/max-flow algorithms for energy
-// minimization in vision", IEEE PAMI 26(9), 2004: two search trees, one from each terminal, that are
-// kept between augmentations; distances to the roots are cached with time stamps. After more bias the
-// tetrahedra concerned are taken out of their trees and planted anew, as in P. Kohli, P. H. S. Torr,
-// "Dynamic graph cuts for efficient inference in Markov random fields", IEEE PAMI 29(12), 2007.
+// minimization in vision", IEEE PAMI 26(9), 2004: two search trees, one from each terminal, that
+// are kept between augmentations; distances to the roots are cached with time stamps. After more
+// bias the tetrahedra concerned are taken out of their trees and planted anew, as in P. Kohli, P.
+// H. S. Torr, "Dynamic graph cuts for efficient inference in Markov random fields", IEEE PAMI
+// 29(12), 2007.
 //
 // The graph is the complex itself: nodes are finite tetrahedra, arcs their facets.
 #include "sculpt/min_cut.h"
@@ -103,8 +104,8 @@ const Flags& MinCut::solve() {
   return inside_;
 }
 
-/// Extends x's tree to free neighbours. An arc from the outside tree to the inside tree, if there is
-/// one that is not saturated, ends the search.
+/// Extends x's tree to free neighbours. An arc from the outside tree to the inside tree, if there
+/// is one that is not saturated, ends the search.
 MinCut::Arc MinCut::grow(std::uint32_t x) {
   for (Arc a = 4 * x; a < 4 * x + 4; ++a) {
     if (!has_arc(a) || residual_towards(tree_[x], a) <= 0) continue;

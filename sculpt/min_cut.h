@@ -11,8 +11,8 @@
 /// Minimum cut between outside and inside over the tetrahedra of a complex.
 namespace tetsculpt {
 
-/// Flow capacities are 64-bit integers, so that the cut is exact; of all minimum cuts solve() takes the
-/// one with the smallest outside, which is unique.
+/// Flow capacities are 64-bit integers, so that the cut is exact; of all minimum cuts solve() takes
+/// the one with the smallest outside, which is unique.
 class MinCut {
  public:
   using Capacity = std::int64_t;
@@ -20,14 +20,15 @@ class MinCut {
   /// Nothing is connected yet. Keeps a reference to the complex. Infinite tetrahedra are outside.
   explicit MinCut(const TetComplex& complex);
 
-  /// Cost of having the facet between an inside and an outside tetrahedron, for every finite triangle.
+  /// Cost of having the facet between an inside and an outside tetrahedron, for every finite
+  /// triangle.
   void set_facet(TriangleId t, Capacity cost);
   /// Adds to the cost that a finite tetrahedron has for being outside (negative: for being inside).
   void add_inside_bias(TetId t, Capacity bias);
 
-  /// The minimum cut, per tetrahedron: is it inside? May be called again after more bias was added, and
-  /// then goes on from the flow it has.
-  /// Cost: the Boykov-Kolmogorov algorithm; near linear in practice.
+  /// The minimum cut, per tetrahedron: is it inside? May be called again after more bias was added,
+  /// and then goes on from the flow it has. Cost: the Boykov-Kolmogorov algorithm; near linear in
+  /// practice.
   const Flags& solve();
 
  private:
@@ -56,10 +57,10 @@ class MinCut {
   static constexpr Arc kTerminal = 0xfffffffeu;
 
   const TetComplex* complex_;
-  std::vector<Arc> mate_;            ///< per facet of a finite tetrahedron, the same from beyond
-  std::vector<Capacity> residual_;   ///< per facet, what can flow out through it
-  std::vector<Capacity> terminal_;   ///< per tetrahedron: > 0 from outside, < 0 to inside
-  std::vector<Arc> parent_;          ///< arc towards the root, kTerminal at a root, or kNoArc
+  std::vector<Arc> mate_;           ///< per facet of a finite tetrahedron, the same from beyond
+  std::vector<Capacity> residual_;  ///< per facet, what can flow out through it
+  std::vector<Capacity> terminal_;  ///< per tetrahedron: > 0 from outside, < 0 to inside
+  std::vector<Arc> parent_;         ///< arc towards the root, kTerminal at a root, or kNoArc
   std::vector<Tree> tree_;
   std::vector<std::uint32_t> stamp_;     ///< when distance_ was last known to be right
   std::vector<std::uint32_t> distance_;  ///< to the root

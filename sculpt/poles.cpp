@@ -1,5 +1,5 @@
-// N. Amenta, S. Choi, R. K. Kolluri, "The power crust", Solid Modeling 2001. At a vertex of the convex
-// hull the first pole is at infinity, along the mean normal of its hull triangles.
+// N. Amenta, S. Choi, R. K. Kolluri, "The power crust", Solid Modeling 2001. At a vertex of the
+// convex hull the first pole is at infinity, along the mean normal of its hull triangles.
 #include "sculpt/poles.h"
 
 #include <algorithm>

@@ -21,7 +21,8 @@ struct PolePair {
   TetId second{};
   /// Direction from the vertex to its first pole, of length one.
   Vec3<double> axis{};
-  /// Minus the cosine of the angle between the poles at the vertex, in [0, 1]; 0 if there is no second.
+  /// Minus the cosine of the angle between the poles at the vertex, in [0, 1]; 0 if there is no
+  /// second.
   double strength = 0;
 };
 

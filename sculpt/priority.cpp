@@ -1,10 +1,10 @@
 // Minimal change of area: J.-D. Boissonnat, "Geometric structures for three-dimensional shape
-// representation", ACM Transactions on Graphics 3(4), 1984, as cited by the paper: here the area of the
-// faces that appear minus that of the faces that go, in absolute value.
-// Gamma-indicator: R. C. Veltkamp, "Closed object boundaries from scattered points", LNCS 885, 1994: for
-// a boundary face with circumradius r, of a tetrahedron with circumradius R, |gamma| = 1 - r / R,
-// negative if the tetrahedron's circumcentre is on the outer side of the face; removed by growing value,
-// as the paper orders it. With two boundary faces the smaller gamma counts. Neither definition could be
+// representation", ACM Transactions on Graphics 3(4), 1984, as cited by the paper: here the area of
+// the faces that appear minus that of the faces that go, in absolute value. Gamma-indicator: R. C.
+// Veltkamp, "Closed object boundaries from scattered points", LNCS 885, 1994: for a boundary face
+// with circumradius r, of a tetrahedron with circumradius R, |gamma| = 1 - r / R, negative if the
+// tetrahedron's circumcentre is on the outer side of the face; removed by growing value, as the
+// paper orders it. With two boundary faces the smaller gamma counts. Neither definition could be
 // checked against its original text.
 #include "sculpt/priority.h"
 

@@ -18,9 +18,9 @@ enum class Criterion {
   kConstrained,  ///< longest boundary edge first, held back by EMST and EGH: the paper's own
 };
 
-/// Gives tetrahedra their place in the heap: the smallest key goes first. Keys depend on nothing but
-/// the points: the longest edge is compared exactly, by its rank in kernel/edge_order; areas and
-/// gamma-indicators are doubles computed from vertices in lexicographic order.
+/// Gives tetrahedra their place in the heap: the smallest key goes first. Keys depend on nothing
+/// but the points: the longest edge is compared exactly, by its rank in kernel/edge_order; areas
+/// and gamma-indicators are doubles computed from vertices in lexicographic order.
 class Priority {
  public:
   Priority(Criterion criterion, std::span<const Point3> points, const TetComplex& complex);

@@ -12,7 +12,8 @@ struct Chain {
   Facet base_def;
 };
 
-/// The corner by which `t` touches `u`: the one of t opposite their common facet. -1 if they have none.
+/// The corner by which `t` touches `u`: the one of t opposite their common facet. -1 if they have
+/// none.
 int corner_towards(const TetComplex& complex, TetId t, TetId u) {
   for (int i = 0; i < 4; ++i) {
     if (complex.neighbor(t, i) == u) return i;
@@ -72,7 +73,8 @@ bool is_pseudo_prism(const Boundary& boundary, const PseudoPrism& prism,
   if (!chain) return false;
   const auto [a, b, c, d, e, f] = chain->v;
   if (a == e || a == f || b == f) return false;
-  // Only the bases are on the boundary: no other facet of the three, the coastal triangles included.
+  // Only the bases are on the boundary: no other facet of the three, the coastal triangles
+  // included.
   int faces = 0;
   for (const TetId t : prism.tets) faces += exposure(boundary, t).faces;
   if (faces != 2) return false;

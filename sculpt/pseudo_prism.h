@@ -12,8 +12,8 @@ namespace tetsculpt {
 
 ///   a-----c          A chain of three face-adjacent solid tetrahedra over six distinct vertices:
 ///   |\   /|          (a, b, c, d), (b, c, d, e), (c, d, e, f). Its bases abc and def are on the
-///   | \ / |          boundary; none of its six coastal edges ad, bd, cd, be, ce, cf and none of its
-///   |  b  |          six coastal triangles is. Removing it joins the bases: one more handle.
+///   | \ / |          boundary; none of its six coastal edges ad, bd, cd, be, ce, cf and none of
+///   its |  b  |          six coastal triangles is. Removing it joins the bases: one more handle.
 ///   d--|--f
 ///    \ | /
 ///      e
@@ -21,8 +21,8 @@ struct PseudoPrism {
   std::array<TetId, 3> tets;
 };
 
-/// The pseudo-prisms one of whose bases is facet `corner` of t, with a coastal edge among the flagged
-/// ones.  Precondition: t is solid and that facet is on the boundary. At most six.
+/// The pseudo-prisms one of whose bases is facet `corner` of t, with a coastal edge among the
+/// flagged ones.  Precondition: t is solid and that facet is on the boundary. At most six.
 std::vector<PseudoPrism> pseudo_prisms(const Boundary& boundary, TetId t, int corner,
                                        const Flags& flagged_edges);
 

@@ -63,7 +63,8 @@ Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex,
                       {.criterion = options.criterion, .progress = progress});
 }
 
-/// Renumbers a surface over lexicographic vertex ids to the order of the input and fills in the rest.
+/// Renumbers a surface over lexicographic vertex ids to the order of the input and fills in the
+/// rest.
 void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
                 const TetComplex& complex, const Sculpture& sculpture, Reconstruction& out) {
   std::vector<std::uint32_t> index(distinct.points.size(), 0);
@@ -93,19 +94,16 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
   Reconstruction out;
   Stopwatch watch;
   const DistinctPoints distinct = distinct_points(points);
-  const TetComplex complex =
-      delaunay(distinct, {.progress = stage_progress(options, "delaunay")});
+  const TetComplex complex = delaunay(distinct, {.progress = stage_progress(options, "delaunay")});
   out.counts.vertices = distinct.points.size();
   out.counts.tetrahedra = complex.finite_tet_count();
   out.seconds.delaunay = watch.lap();
-  out.span = complex.tet_count() > 0
-                 ? Span::kSolid
-                 : static_cast<Span>(first_simplex(distinct.points).size);
+  out.span = complex.tet_count() > 0 ? Span::kSolid
+                                     : static_cast<Span>(first_simplex(distinct.points).size);
   if (out.span != Span::kSolid) return out;
 
   stage_progress(options, "graphs");
-  const Constraints held_back =
-      constraints(distinct.points, complex, options.threads, out.counts);
+  const Constraints held_back = constraints(distinct.points, complex, options.threads, out.counts);
   out.seconds.graphs = watch.lap();
 
   const Sculpture sculpture = sculpt(distinct.points, complex, held_back, options);

@@ -26,8 +26,8 @@ struct ReconstructOptions {
   Criterion criterion = Criterion::kConstrained;
   /// Most threads to use, at least 1. The result does not depend on it.
   int threads = 1;
-  /// Told now and then the stage under way ("delaunay", "graphs", "sculpt") and the share of it that is
-  /// done, from 0 to 1.
+  /// Told now and then the stage under way ("delaunay", "graphs", "sculpt") and the share of it
+  /// that is done, from 0 to 1.
   std::function<void(std::string_view stage, double done)> progress = {};
 };
 
@@ -36,8 +36,8 @@ enum class Span { kNothing, kPoint, kLine, kPlane, kSolid };
 
 struct Reconstruction {
   Span span = Span::kNothing;
-  /// The surface. Its points are the distinct input points, bit for bit (of equal ones the first), in
-  /// the order of the input. Empty unless span is kSolid.
+  /// The surface. Its points are the distinct input points, bit for bit (of equal ones the first),
+  /// in the order of the input. Empty unless span is kSolid.
   TriangleMesh mesh;
   /// Per input point, its index in mesh.points; kHidden if it is not on the surface.
   std::vector<std::uint32_t> vertex_of_input;
@@ -64,9 +64,9 @@ struct Reconstruction {
 };
 
 /// Reconstructs a closed 2-manifold through the points. Throws InvalidPoint for a point that is not
-/// finite or not within exact range, std::length_error for more points or tetrahedra than 32-bit ids
-/// hold. Points that span no solid are no error: see Reconstruction::span.
-/// The set of oriented triangles depends on the set of points alone, not on their order.
+/// finite or not within exact range, std::length_error for more points or tetrahedra than 32-bit
+/// ids hold. Points that span no solid are no error: see Reconstruction::span. The set of oriented
+/// triangles depends on the set of points alone, not on their order.
 Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOptions& options = {});
 
 }  // namespace tetsculpt

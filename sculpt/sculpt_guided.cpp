@@ -1,10 +1,10 @@
-// Guided sculpting. Evidence (sculpt/evidence) is turned into labels by a minimum cut (sculpt/labels).
-// On well-sampled surfaces the boundary of these labels is nearly a 2-manifold through nearly all
-// vertices as it stands. The few stars that are not good are mended (sculpt/star_repair). Vertices that
-// the cut left on one side, in thin or coarsely sampled places, insist; the surface then moves towards
-// the labels of a second cut, by the paper's basic rules only: such a vertex pulls the surface to itself
-// and can't tear a false handle into it (sculpt/deform). Over the 38 closed models of bench/quality.py
-// that gets 27 right; taking the second cut's labels as they are, 21 to 26.
+// Guided sculpting. Evidence (sculpt/evidence) is turned into labels by a minimum cut
+// (sculpt/labels). On well-sampled surfaces the boundary of these labels is nearly a 2-manifold
+// through nearly all vertices as it stands. The few stars that are not good are mended
+// (sculpt/star_repair). Vertices that the cut left on one side, in thin or coarsely sampled places,
+// insist in further cuts; the surface moves to them by the paper's basic rules only, so that such a
+// vertex pulls the surface to itself and can't tear a false handle into it (sculpt/deform). Figures
+// of this and of other ways are in bench/RESULTS.md.
 #include "sculpt/sculpt_guided.h"
 
 #include <utility>
@@ -25,16 +25,16 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
     if (options.progress) options.progress(done);
   };
   const VertexStars stars(complex);
-  Evidence evidence = weigh_evidence(points, complex, stars, Circumspheres(points, complex),
-                                     egh_triangles);
+  const Circumspheres spheres(points, complex);
+  Evidence evidence = weigh_evidence(points, complex, stars, spheres, egh_triangles);
   progress(0.4);
   Labels labels = cut_labels(complex, stars, evidence);
   progress(0.7);
   repair_stars(complex, stars, evidence, labels.likely);
   progress(0.8);
   Boundary boundary(complex, std::move(labels.likely));
-  deform_towards(boundary, evidence, labels.wanted);
-  expose_hidden(boundary, stars, evidence);
+  deform_towards(boundary, spheres, labels.wanted);
+  expose_hidden(boundary, stars, spheres);
   Sculpture out;
   out.solid = boundary.solid();
   out.hidden = boundary.hidden_vertices();

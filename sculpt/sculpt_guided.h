@@ -8,7 +8,8 @@
 #include "kernel/tet_complex.h"
 #include "sculpt/sculpture.h"
 
-/// Sculpting guided by a belief, for each tetrahedron, on whether it lies inside: the default method.
+/// Sculpting guided by a belief, for each tetrahedron, on whether it lies inside: the default
+/// method.
 namespace tetsculpt {
 
 struct GuidedOptions {

@@ -1,16 +1,19 @@
-// Sculpting after M. Attene, M. Spagnuolo, "Automatic surface reconstruction from point sets in space",
-// Computer Graphics Forum 19(3), 2000, section 3. Where the paper leaves a choice:
-//  - Step 1 runs until the heap is empty. The paper stops it once all vertices are on the boundary; that
+// Sculpting after M. Attene, M. Spagnuolo, "Automatic surface reconstruction from point sets in
+// space", Computer Graphics Forum 19(3), 2000, section 3. Where the paper leaves a choice:
+//  - Step 1 runs until the heap is empty. The paper stops it once all vertices are on the boundary;
+//  that
 //    leaves concavities filled (a sampled cube of 2000 points: 53 false handles afterwards).
 //  - Step 2, vertices still hidden, lifts the EGH constraint first and takes tetrahedra with one
 //    boundary face first, longest edge first: each of them exposes a vertex. Only if that does not
 //    suffice, the EMST constraint is lifted too. Then step 1 runs once more.
 //  - Step 3, tree edges still inside, removes tetrahedra by the basic rules that bring one out.
-//  - Step 4 opens one hole, by the pseudo-prism with the longest boundary edge, and returns to step 1.
+//  - Step 4 opens one hole, by the pseudo-prism with the longest boundary edge, and returns to
+//  step 1.
 // The unconstrained criteria remove until every vertex is on the boundary, and do nothing else.
 //
-// Each step keeps its place in a log of tetrahedra whose boundary faces changed, so that going round
-// again looks only at what is new: an entry that was not removable can only become so by such a change.
+// Each step keeps its place in a log of tetrahedra whose boundary faces changed, so that going
+// round again looks only at what is new: an entry that was not removable can only become so by such
+// a change.
 #include "sculpt/sculpt_paper.h"
 
 #include <algorithm>
@@ -83,8 +86,8 @@ class PaperSculptor {
   Boundary boundary_;
   Priority priority_;
   std::priority_queue<Entry, std::vector<Entry>, Later> heap_;
-  std::vector<PrismEntry> prisms_;        ///< a heap by before()
-  std::vector<TetId> touched_;            ///< log: their boundary faces changed
+  std::vector<PrismEntry> prisms_;          ///< a heap by before()
+  std::vector<TetId> touched_;              ///< log: their boundary faces changed
   std::array<std::size_t, kSteps> seen_{};  ///< per step, how much of the log it has seen
   std::size_t seen_by_prisms_ = 0;
   Sculpture out_;
@@ -222,8 +225,8 @@ bool PaperSculptor::open_hole() {
   return false;
 }
 
-/// Looks for pseudo-prisms on the boundary faces that are new. A chain that is none cannot become one
-/// unless a base is: coastal edges never leave the boundary while the chain is solid.
+/// Looks for pseudo-prisms on the boundary faces that are new. A chain that is none cannot become
+/// one unless a base is: coastal edges never leave the boundary while the chain is solid.
 void PaperSculptor::find_prisms() {
   const auto later = [&](const PrismEntry& a, const PrismEntry& b) { return before(b, a); };
   for (; seen_by_prisms_ < touched_.size(); ++seen_by_prisms_) {
@@ -248,8 +251,8 @@ std::uint32_t PaperSculptor::prism_rank(const PseudoPrism& prism) const {
   return rank;
 }
 
-/// The order of prisms: longest boundary edge first, then lexicographic order of the tetrahedra, the
-/// two ends of a chain taken in that order, too.
+/// The order of prisms: longest boundary edge first, then lexicographic order of the tetrahedra,
+/// the two ends of a chain taken in that order, too.
 bool PaperSculptor::before(const PrismEntry& a, const PrismEntry& b) const {
   if (a.rank != b.rank) return a.rank > b.rank;
   const auto ordered = [&](PseudoPrism p) {

@@ -28,9 +28,9 @@ struct Constraints {
   Flags emst_edges;     ///< per edge of the complex; see kernel/emst.h
 };
 
-/// Takes tetrahedra off the Delaunay complex until its boundary is the surface. The boundary stays a
-/// closed 2-manifold in one piece throughout; its Euler number is 2 - 2 holes.
-/// [Attene, Spagnuolo 2000, section 3]  Cost: O(n log n) in the size of the complex.
+/// Takes tetrahedra off the Delaunay complex until its boundary is the surface. The boundary stays
+/// a closed 2-manifold in one piece throughout; its Euler number is 2 - 2 holes. [Attene, Spagnuolo
+/// 2000, section 3]  Cost: O(n log n) in the size of the complex.
 Sculpture sculpt_paper(std::span<const Point3> points, const TetComplex& complex,
                        const Constraints& constraints, const PaperOptions& options = {});
 

@@ -14,7 +14,8 @@ struct Sculpture {
   Flags solid;
   /// The tetrahedra taken off, in order.
   std::vector<TetId> removed;
-  /// Where in `removed` a pseudo-prism starts: three tetrahedra that went at once and opened a hole.
+  /// Where in `removed` a pseudo-prism starts: three tetrahedra that went at once and opened a
+  /// hole.
   std::vector<std::size_t> holes;
   /// Vertices that could not be brought to the boundary, in order of id.
   std::vector<VertexId> hidden;

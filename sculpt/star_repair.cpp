@@ -1,10 +1,11 @@
 #include "sculpt/star_repair.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 #include <vector>
 
 #include "sculpt/energy.h"
+#include "sculpt/star_inspector.h"
 
 namespace tetsculpt {
 namespace {
@@ -43,23 +44,22 @@ std::vector<Part> star_parts(const TetComplex& complex, std::span<const TetId> s
   return parts;
 }
 
-int excess(const std::vector<Part>& parts) {
-  std::array<int, 2> count{};
-  for (const Part& part : parts) ++count[part.inside];
-  return std::max(count[0] - 1, 0) + std::max(count[1] - 1, 0);
-}
-
 class Repair {
  public:
   Repair(const TetComplex& complex, const VertexStars& stars, const Evidence& evidence,
          Flags& inside)
-      : complex_(complex), stars_(stars), evidence_(evidence), inside_(inside) {}
+      : complex_(complex),
+        stars_(stars),
+        inspector_(complex, stars),
+        evidence_(evidence),
+        inside_(inside) {}
 
   void run() {
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
       if (excess_at(VertexId{v}) > 0) queue_.push_back(VertexId{v});
     }
-    // Every accepted move lowers the total excess, so this ends; a move looks again at what it touched.
+    // Every accepted move lowers the total excess, so this ends; a move looks again at what it
+    // touched.
     for (std::size_t k = 0; k < queue_.size(); ++k) improve(queue_[k]);
     fill();
   }
@@ -67,7 +67,7 @@ class Repair {
  private:
   using Move = std::vector<TetId>;
 
-  int excess_at(VertexId v) const { return star_excess(complex_, stars_, v, inside_); }
+  int excess_at(VertexId v) { return inspector_.parts(v, inside_).excess(); }
 
   void flip(const Move& move) {
     for (const TetId t : move) inside_[+t] ^= 1;
@@ -145,17 +145,13 @@ class Repair {
 
   const TetComplex& complex_;
   const VertexStars& stars_;
+  StarInspector inspector_;
   const Evidence& evidence_;
   Flags& inside_;
   std::vector<VertexId> queue_;  ///< every bad vertex is in it
 };
 
 }  // namespace
-
-int star_excess(const TetComplex& complex, const VertexStars& stars, VertexId v,
-                const Flags& inside) {
-  return excess(star_parts(complex, stars(v), v, inside));
-}
 
 void repair_stars(const TetComplex& complex, const VertexStars& stars, const Evidence& evidence,
                   Flags& inside) {

@@ -27,6 +27,12 @@ int fail(ExitStatus status, const std::string& message) {
   return status;
 }
 
+/// Puts text on stdout, and sees it through.
+int print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return kDone;
+  return fail(kNoOutput, "standard output could not be written");
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -53,8 +59,8 @@ std::string no_solid(const Reconstruction& result, const Arguments& arguments) {
 /// Names the input points (counted from 0, skipped ones included) that are not on the surface.
 void report_hidden(const std::vector<std::size_t>& hidden,
                    const std::vector<std::size_t>& index_in_file) {
-  std::fprintf(stderr, "tetsculpt: %zu points are not on the surface, counted from 0:",
-               hidden.size());
+  std::fprintf(stderr,
+               "tetsculpt: %zu points are not on the surface, counted from 0:", hidden.size());
   for (const std::size_t i : hidden) std::fprintf(stderr, " %zu", index_in_file[i]);
   std::fprintf(stderr, "\n");
 }
@@ -85,9 +91,9 @@ int run(const Arguments& arguments) {
   try {
     result = reconstruct(file.points, options);
   } catch (const InvalidPoint& error) {
-    return fail(kBadInput, arguments.input.string() + ": " + error.what() +
-                               " (points count from 0" +
-                               (finite(file.points[error.index()]) ? ")" : "; --skip-invalid drops it)"));
+    return fail(kBadInput,
+                arguments.input.string() + ": " + error.what() + " (points count from 0" +
+                    (finite(file.points[error.index()]) ? ")" : "; --skip-invalid drops it)"));
   } catch (const std::length_error& error) {
     return fail(kBadInput, arguments.input.string() + ": " + error.what());
   }
@@ -103,9 +109,10 @@ int run(const Arguments& arguments) {
   facts.seconds_write = seconds_since(write_start);
   facts.seconds_total = seconds_since(start);
 
-  if (arguments.stats) std::printf("%s\n", stats_json(arguments, result, facts).c_str());
   if (!arguments.quiet) std::fprintf(stderr, "%s\n", summary(arguments, result, facts).c_str());
-  if (std::fflush(stdout) != 0) return fail(kNoOutput, "standard output could not be written");
+  if (arguments.stats && print(stats_json(arguments, result, facts) + '\n') != kDone) {
+    return kNoOutput;
+  }
   if (result.hidden.empty()) return kDone;
   report_hidden(result.hidden, index_in_file);
   return kHidden;
@@ -120,9 +127,9 @@ int run_words(std::span<const char* const> words) {
   }
   switch (arguments.action) {
     case Action::kHelp:
-      return std::fputs(help().c_str(), stdout) < 0 ? kNoOutput : kDone;
+      return print(help());
     case Action::kVersion:
-      return std::printf("tetsculpt %s\n", kVersion) < 0 ? kNoOutput : kDone;
+      return print(std::string("tetsculpt ") + kVersion + '\n');
     case Action::kReconstruct:
       break;
   }

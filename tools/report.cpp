@@ -15,8 +15,8 @@ class JsonObject {
   void add(std::string_view key, const std::string& value) { add_raw(key, '"' + value + '"'); }
   void add(std::string_view key, double seconds) {
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, seconds,
-                                   std::chars_format::fixed, 6);
+    const auto end =
+        std::to_chars(digits, digits + sizeof digits, seconds, std::chars_format::fixed, 6);
     add_raw(key, std::string_view(digits, end.ptr));
   }
   void add(std::string_view key, const JsonObject& object) { add_raw(key, object.text()); }
@@ -80,7 +80,8 @@ std::string summary(const Arguments& arguments, const Reconstruction& result,
   std::string line = arguments.output.string() + ": " +
                      counted(result.mesh.triangles.size(), "triangle") + " through " +
                      counted(result.mesh.points.size(), "point");
-  if (merged(result, facts) > 0) line += ", " + counted(merged(result, facts), "duplicate") + " merged";
+  if (merged(result, facts) > 0)
+    line += ", " + counted(merged(result, facts), "duplicate") + " merged";
   if (facts.skipped > 0) line += ", " + counted(facts.skipped, "invalid point") + " skipped";
   line += t.closed ? "; closed" : "; not closed";
   line += manifold(t) ? ", manifold" : ", not manifold";
