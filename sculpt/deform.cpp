@@ -12,7 +12,7 @@ namespace {
 
 /// A search for one vertex gives up after so many flips.
 constexpr int kMostFlips = 100'000;
-constexpr int kDeepest = 4;
+constexpr int kDeepest = 3;
 
 bool flippable(const Boundary& boundary, TetId t) {
   return boundary.complex().finite(t) && exposure(boundary, t).removable;
@@ -81,19 +81,21 @@ class ExposureSearch {
 
 }  // namespace
 
-void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flags& wanted) {
+void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flags& wanted,
+                    FlipOrder order) {
   struct Entry {
-    double radius;
+    double key;
     TetId tet;
   };
   const TetComplex& complex = boundary.complex();
+  const double sign = order == FlipOrder::kSmallestFirst ? 1 : -1;
   const auto later = [&](const Entry& a, const Entry& b) {
-    return a.radius != b.radius ? a.radius > b.radius : corners_less(complex, b.tet, a.tet);
+    return a.key != b.key ? a.key > b.key : corners_less(complex, b.tet, a.tet);
   };
   std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
   const auto push = [&](TetId t) {
     if (boundary.solid()[+t] != wanted[+t] && flippable(boundary, t)) {
-      queue.push({spheres.radius(t), t});
+      queue.push({sign * spheres.radius(t), t});
     }
   };
   for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) push(TetId{t});

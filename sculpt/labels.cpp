@@ -42,11 +42,11 @@ void drop_unsupported_parts(const TetComplex& complex, const Flags& at_first, Fl
   std::vector<TetId> part;
   for (std::uint32_t first = 0; first < complex.tet_count(); ++first) {
     if (seen[first]) continue;
-    bool supported = false;
+    std::size_t supported = 0;
     seen[first] = 1;
     part.assign(1, TetId{first});
     for (std::size_t k = 0; k < part.size(); ++k) {
-      supported = supported || at_first[+part[k]] == inside[+part[k]];
+      supported += at_first[+part[k]] == inside[+part[k]];
       for (int i = 0; i < 4; ++i) {
         const TetId u = complex.neighbor(part[k], i);
         if (seen[+u] || inside[+u] != inside[first]) continue;
@@ -54,7 +54,7 @@ void drop_unsupported_parts(const TetComplex& complex, const Flags& at_first, Fl
         part.push_back(u);
       }
     }
-    if (supported) continue;
+    if (2 * supported >= part.size()) continue;
     for (const TetId t : part) inside[+t] ^= 1;
   }
 }

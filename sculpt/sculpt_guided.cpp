@@ -19,6 +19,18 @@
 
 namespace tetsculpt {
 
+namespace {
+
+/// Moves a surface to the wanted labels and through the vertices it does not reach yet.
+Boundary moved(Boundary boundary, const Flags& wanted, FlipOrder order, const VertexStars& stars,
+               const Circumspheres& spheres) {
+  deform_towards(boundary, spheres, wanted, order);
+  expose_hidden(boundary, stars, spheres);
+  return boundary;
+}
+
+}  // namespace
+
 Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& complex,
                         const Flags& egh_triangles, const GuidedOptions& options) {
   const auto progress = [&](double done) {
@@ -32,13 +44,14 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   progress(0.7);
   repair_stars(complex, stars, evidence, labels.likely);
   progress(0.8);
-  Boundary boundary(complex, std::move(labels.likely));
-  deform_towards(boundary, spheres, labels.wanted);
-  expose_hidden(boundary, stars, spheres);
-  Sculpture out;
-  out.solid = boundary.solid();
-  out.hidden = boundary.hidden_vertices();
-  return out;
+  Boundary boundary = moved(Boundary(complex, std::move(labels.likely)), labels.wanted,
+                            FlipOrder::kSmallestFirst, stars, spheres);
+  if (boundary.hidden_count() > 0) {
+    Boundary from_hull =
+        moved(Boundary(complex), labels.wanted, FlipOrder::kLargestFirst, stars, spheres);
+    if (from_hull.hidden_count() < boundary.hidden_count()) boundary = std::move(from_hull);
+  }
+  return {.solid = boundary.solid(), .hidden = boundary.hidden_vertices()};
 }
 
 }  // namespace tetsculpt
