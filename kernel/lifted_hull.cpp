@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "kernel/distinct_points.h"
 #include "kernel/first_simplex.h"
@@ -54,7 +55,7 @@ class Worker {
   Worker(std::span<const Point3> sites, std::vector<std::size_t> round_begin, double unit);
   void run(const std::array<std::uint32_t, 4>& simplex,
            const std::function<void(double)>& progress);
-  LiftedHull result(std::span<const VertexId> vertex_of_site);
+  LiftedHull result(const SpatialOrder& order) const;
 
  private:
   void make_simplex(const std::array<std::uint32_t, 4>& simplex);
@@ -72,6 +73,8 @@ class Worker {
   void number_horizon(Site apex);
   void link_cone();
   void link_large_cone();
+  std::vector<std::uint32_t> final_indices(const SpatialOrder& order,
+                                           std::size_t& finite_count) const;
 
   std::span<const Point3> sites_;
   std::vector<std::size_t> round_begin_;
@@ -397,26 +400,46 @@ FacetIndex Worker::locate_exactly(Site q, FacetIndex from) const {
   return f;
 }
 
-LiftedHull Worker::result(std::span<const VertexId> vertex_of_site) {
+/// New indices of the facets that live: finite ones first, either kind by the first of its corners
+/// along the curve. Neighbours in space are then neighbours in memory for all later stages.
+std::vector<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
+                                                 std::size_t& finite_count) const {
   std::vector<bool> dead(facets_.size(), false);
   for (const FacetIndex f : free_) dead[f] = true;
-  std::vector<std::uint32_t> index(facets_.size(), kNone);
-  std::uint32_t count = 0;
-  LiftedHull out;
-  for (const bool infinite : {false, true}) {
-    for (FacetIndex f = 0; f < facets_.size(); ++f) {
-      if (!dead[f] && (facets_.infinite_corner(f) != 4) == infinite) index[f] = count++;
+  const std::size_t n = sites_.size();
+  const auto bucket = [&](FacetIndex f) {
+    std::size_t first = n;
+    for (const Site s : facets_.corners(f)) {
+      if (s != kAtInfinity)
+        first = std::min<std::size_t>(first, order.place_on_curve[+order.vertices[s]]);
     }
-    if (!infinite) out.finite_count = count;
+    return facets_.infinite_corner(f) != 4 ? n + first : first;
+  };
+  std::vector<std::uint32_t> next(2 * n + 1, 0);
+  for (FacetIndex f = 0; f < facets_.size(); ++f) {
+    if (!dead[f]) ++next[bucket(f) + 1];
   }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  finite_count = next[n];
+  std::vector<std::uint32_t> index(facets_.size(), kNone);
+  for (FacetIndex f = 0; f < facets_.size(); ++f) {
+    if (!dead[f]) index[f] = next[bucket(f)]++;
+  }
+  return index;
+}
+
+LiftedHull Worker::result(const SpatialOrder& order) const {
+  LiftedHull out;
+  const std::vector<std::uint32_t> index = final_indices(order, out.finite_count);
+  const std::size_t count = facets_.size() - free_.size();
   out.tets.resize(count);
   out.neighbors.resize(count);
   for (FacetIndex f = 0; f < facets_.size(); ++f) {
-    if (dead[f]) continue;
+    if (index[f] == kNone) continue;
     for (std::uint32_t i = 0; i < 4; ++i) {
       const Site s = facets_.corners(f)[i];
       const Ridge r = facets_.neighbors(f)[i];
-      out.tets[index[f]][i] = s == kAtInfinity ? kInfinite : vertex_of_site[s];
+      out.tets[index[f]][i] = s == kAtInfinity ? kInfinite : order.vertices[s];
       out.neighbors[index[f]][i] = 4 * index[facet_of(r)] + corner_of(r);
     }
   }
@@ -426,15 +449,15 @@ LiftedHull Worker::result(std::span<const VertexId> vertex_of_site) {
 }  // namespace
 
 LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options) {
-  SpatialOrder order = spatial_order(points);
+  const SpatialOrder order = spatial_order(points);
   std::vector<Point3> sites;
   sites.reserve(points.size());
   for (const VertexId v : order.vertices) sites.push_back(points[+v]);
   const FirstSimplex simplex = first_simplex(sites);
   if (simplex.size < 4) return {};
-  Worker worker(sites, std::move(order.round_begin), std::ldexp(1.0, unit_exponent(sites)));
+  Worker worker(sites, order.round_begin, std::ldexp(1.0, unit_exponent(sites)));
   worker.run(simplex.corners, options.progress);
-  return worker.result(order.vertices);
+  return worker.result(order);
 }
 
 }  // namespace tetsculpt

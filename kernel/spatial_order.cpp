@@ -85,13 +85,21 @@ SpatialOrder spatial_order(std::span<const Point3> points) {
 
   const Cells cells(points);
   std::vector<KeyedIndex> order(points.size());
-  std::vector<std::size_t> round_size(last_round + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto coins = static_cast<std::uint64_t>(std::countr_zero(hash(i))) / kBitsPerRound;
-    const std::uint64_t round = last_round - std::min(coins, last_round);
-    ++round_size[round];
-    order[i] = {round << (3 * kBitsPerAxis) | hilbert_index(cells(points[i])),
-                static_cast<std::uint32_t>(i)};
+    order[i] = {hilbert_index(cells(points[i])), static_cast<std::uint32_t>(i)};
+  }
+  radix_sort(order);
+  result.place_on_curve.resize(points.size());
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    result.place_on_curve[order[place].index] = static_cast<std::uint32_t>(place);
+  }
+
+  // Points are on the curve now: a stable sort by round leaves each round along it.
+  std::vector<std::size_t> round_size(last_round + 1, 0);
+  for (KeyedIndex& item : order) {
+    const auto coins = static_cast<std::uint64_t>(std::countr_zero(hash(item.index)));
+    item.key = last_round - std::min(coins / kBitsPerRound, last_round);
+    ++round_size[item.key];
   }
   radix_sort(order);
 

@@ -102,11 +102,18 @@ void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flag
   while (!queue.empty()) {
     const Entry entry = queue.top();
     queue.pop();
-    if (boundary.solid()[+entry.tet] == wanted[+entry.tet] || !flippable(boundary, entry.tet)) {
-      continue;
-    }
+    if (boundary.solid()[+entry.tet] == wanted[+entry.tet]) continue;
+    const Exposure e = exposure(boundary, entry.tet);
+    if (!e.removable) continue;
     boundary.flip(entry.tet);
     for (int i = 0; i < 4; ++i) push(complex.neighbor(entry.tet, i));
+    // The edge between two boundary faces leaves the boundary, which may free others around it.
+    if (e.faces == 2) {
+      complex.turn(complex.edge(entry.tet, 5 - e.opposite_edge), [&](Facet f, VertexId) {
+        push(f.tet);
+        return true;
+      });
+    }
   }
 }
 

@@ -46,10 +46,17 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   progress(0.8);
   Boundary boundary = moved(Boundary(complex, std::move(labels.likely)), labels.wanted,
                             FlipOrder::kSmallestFirst, stars, spheres);
+  const auto try_from = [&](Boundary start) {
+    if (boundary.hidden_count() == 0) return;
+    start = moved(std::move(start), labels.wanted, FlipOrder::kLargestFirst, stars, spheres);
+    if (start.hidden_count() < boundary.hidden_count()) boundary = std::move(start);
+  };
   if (boundary.hidden_count() > 0) {
-    Boundary from_hull =
-        moved(Boundary(complex), labels.wanted, FlipOrder::kLargestFirst, stars, spheres);
-    if (from_hull.hidden_count() < boundary.hidden_count()) boundary = std::move(from_hull);
+    const Boundary hull(complex);
+    Boundary filled = boundary;
+    deform_towards(filled, spheres, hull.solid(), FlipOrder::kSmallestFirst);
+    try_from(std::move(filled));
+    try_from(hull);
   }
   return {.solid = boundary.solid(), .hidden = boundary.hidden_vertices()};
 }

@@ -1,0 +1,80 @@
+// A surface that has been moved towards labels can't be moved any nearer by a single flip.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "kernel/vertex_stars.h"
+#include "sculpt/boundary.h"
+#include "sculpt/circumspheres.h"
+#include "sculpt/deform.h"
+#include "sculpt/evidence.h"
+#include "sculpt/star_repair.h"
+#include "tests/support/point_sets.h"
+#include "tests/support/sculpt_stages.h"
+
+namespace tetsculpt {
+namespace {
+
+/// How many of the flips still wanted are allowed.
+std::size_t flips_left(const testing::Stages& s, const Boundary& boundary, const Flags& wanted) {
+  std::size_t left = 0;
+  for (const TetId t : s.tets()) {
+    left += boundary.solid()[+t] != wanted[+t] && exposure(boundary, t).removable;
+  }
+  return left;
+}
+
+Flags random_labels(const testing::Stages& s, double share, std::uint64_t seed) {
+  point_sets::Random random(seed);
+  Flags inside(s.complex.tet_count(), 0);
+  for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
+  return inside;
+}
+
+/// Deforms with either order.
+void check_complete(const testing::Stages& s, const Flags& start, const Flags& wanted) {
+  const Circumspheres spheres(s.points(), s.complex);
+  for (const FlipOrder order : {FlipOrder::kSmallestFirst, FlipOrder::kLargestFirst}) {
+    Boundary boundary(s.complex, start);
+    deform_towards(boundary, spheres, wanted, order);
+    CHECK(flips_left(s, boundary, wanted) == 0);
+  }
+}
+
+std::vector<testing::NamedSet> all_sets() {
+  std::vector<testing::NamedSet> sets = testing::small_sets();
+  for (testing::NamedSet& set : testing::bodies()) sets.push_back(std::move(set));
+  return sets;
+}
+
+TEST_CASE("from the hull") {
+  for (const testing::NamedSet& set : all_sets()) {
+    const testing::Stages s = testing::stages(set.points);
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+      INFO(set, ", labels of seed ", seed);
+      check_complete(s, Boundary(s.complex).solid(), random_labels(s, 0.3, seed));
+    }
+  }
+}
+
+// A flip that takes an edge off the boundary may set free a tetrahedron across that edge.
+TEST_CASE("from a surface that has to move both ways") {
+  for (const testing::NamedSet& set : all_sets()) {
+    const testing::Stages s = testing::stages(set.points);
+    Evidence evidence;  // none: all labels are equally likely
+    evidence.inside_bias.assign(s.complex.finite_tet_count(), 0);
+    evidence.facet_cost.assign(s.complex.triangle_count(), 1);
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+      INFO(set, ", labels of seeds ", seed, " and ", seed + 10);
+      Flags start = random_labels(s, 0.5, seed);
+      repair_stars(s.complex, VertexStars(s.complex), evidence, start);
+      check_complete(s, start, random_labels(s, 0.5, seed + 10));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tetsculpt

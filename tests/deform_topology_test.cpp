@@ -1,0 +1,137 @@
+// Moving a surface keeps it a 2-manifold of the same topology, and no vertex leaves it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/triangle_mesh.h"
+#include "kernel/vertex_stars.h"
+#include "sculpt/boundary.h"
+#include "sculpt/circumspheres.h"
+#include "sculpt/deform.h"
+#include "sculpt/evidence.h"
+#include "sculpt/labels.h"
+#include "sculpt/star_repair.h"
+#include "tests/support/point_sets.h"
+#include "tests/support/sculpt_stages.h"
+
+namespace tetsculpt {
+namespace {
+
+std::vector<testing::NamedSet> all_sets() {
+  std::vector<testing::NamedSet> sets = testing::small_sets();
+  for (testing::NamedSet& set : testing::bodies()) sets.push_back(std::move(set));
+  sets.push_back({"box of 500, seed 1", point_sets::uniform_cube(500, 1)});
+  sets.push_back({"lattice sphere 101", point_sets::lattice_sphere(101)});
+  return sets;
+}
+
+/// The complex with what deforming needs.
+struct Scene {
+  explicit Scene(const std::vector<Point3>& points)
+      : s(testing::stages(points)), stars(s.complex), spheres(s.points(), s.complex) {}
+
+  Topology surface(const Boundary& boundary) const {
+    TriangleMesh mesh{s.distinct.points, {}};
+    const auto index = [](VertexId v) { return static_cast<std::uint32_t>(+v); };
+    for (const auto& [a, b, c] : boundary_triangles(s.complex, boundary.solid())) {
+      mesh.triangles.push_back({index(a), index(b), index(c)});
+    }
+    return topology(mesh);
+  }
+  Flags random_labels(double share, std::uint64_t seed) const {
+    point_sets::Random random(seed);
+    Flags inside(s.complex.tet_count(), 0);
+    for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
+    return inside;
+  }
+  Evidence evidence() const {
+    return weigh_evidence(s.points(), s.complex, stars, spheres, s.constraints.egh_triangles);
+  }
+  /// The whole hull, good labels from the evidence, and random ones made good.
+  std::vector<Flags> good_labels() const {
+    std::vector<Flags> good{Boundary(s.complex).solid()};
+    const Evidence fresh = evidence();
+    Evidence changed = fresh;
+    good.push_back(cut_labels(s.complex, stars, changed).likely);
+    for (const double share : {0.1, 0.4}) good.push_back(random_labels(share, 1));
+    for (Flags& labels : good) repair_stars(s.complex, stars, fresh, labels);
+    return good;
+  }
+
+  testing::Stages s;
+  VertexStars stars;
+  Circumspheres spheres;
+};
+
+/// What a surface was, and that it still is that.
+class Kept {
+ public:
+  Kept(const Scene& scene, const Boundary& boundary)
+      : scene_(scene), before_(scene.surface(boundary)), hidden_(boundary.hidden_vertices()) {
+    REQUIRE((before_.edge_manifold && before_.vertex_manifold && before_.oriented));
+  }
+
+  void check(const Boundary& boundary) const {
+    const auto wrong = broken_invariant(boundary);
+    REQUIRE_MESSAGE(!wrong, *wrong);
+    const Topology after = scene_.surface(boundary);
+    REQUIRE((after.edge_manifold && after.vertex_manifold && after.oriented));
+    REQUIRE(after.closed == before_.closed);  // without a solid there is nothing that is closed
+    REQUIRE(after.components == before_.components);
+    REQUIRE(after.genus == before_.genus);
+    const std::vector<VertexId> hidden = boundary.hidden_vertices();
+    REQUIRE(hidden.size() == boundary.hidden_count());
+    REQUIRE(std::ranges::includes(hidden_, hidden));  // no vertex has left
+  }
+
+ private:
+  const Scene& scene_;
+  Topology before_;
+  std::vector<VertexId> hidden_;
+};
+
+TEST_CASE("towards random labels, each tetrahedron once at most") {
+  for (const testing::NamedSet& set : all_sets()) {
+    const Scene scene(set.points);
+    for (const Flags& labels : scene.good_labels()) {
+      for (const double share : {0.0, 0.5, 1.0}) {
+        INFO(set, ", labels of seed 1, wanted share ", share, ", seed 2");
+        const Flags wanted = scene.random_labels(share, 2);
+        Boundary boundary(scene.s.complex, labels);
+        const Kept kept(scene, boundary);
+        deform_towards(boundary, scene.spheres, wanted,
+                       share < 0.5 ? FlipOrder::kLargestFirst : FlipOrder::kSmallestFirst);
+        kept.check(boundary);
+        for (std::size_t t = 0; t < labels.size(); ++t) {
+          REQUIRE((boundary.solid()[t] == labels[t] || boundary.solid()[t] == wanted[t]));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("towards the labels that the evidence wants, and to hidden vertices") {
+  for (const testing::NamedSet& set : all_sets()) {
+    const Scene scene(set.points);
+    Evidence evidence = scene.evidence();
+    const Flags wanted = cut_labels(scene.s.complex, scene.stars, evidence).wanted;
+    FlipOrder order = FlipOrder::kLargestFirst;  // for the hull, which comes first
+    for (const Flags& labels : scene.good_labels()) {
+      INFO(set, ", labels of seed 1");
+      Boundary boundary(scene.s.complex, labels);
+      const Kept kept(scene, boundary);
+      deform_towards(boundary, scene.spheres, wanted,
+                     std::exchange(order, FlipOrder::kSmallestFirst));
+      kept.check(boundary);
+      expose_hidden(boundary, scene.stars, scene.spheres);
+      kept.check(boundary);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tetsculpt
