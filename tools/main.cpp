@@ -60,7 +60,7 @@ std::string no_solid(const Reconstruction& result, const Arguments& arguments) {
 void report_hidden(const std::vector<std::size_t>& hidden,
                    const std::vector<std::size_t>& index_in_file) {
   std::fprintf(stderr,
-               "tetsculpt: %zu points are not on the surface, counted from 0:", hidden.size());
+               "tetsculpt: not on the surface, %zu in sum, points counted from 0:", hidden.size());
   for (const std::size_t i : hidden) std::fprintf(stderr, " %zu", index_in_file[i]);
   std::fprintf(stderr, "\n");
 }
