@@ -5,12 +5,8 @@
 namespace tetsculpt {
 namespace {
 
-/// A chain's six vertices, with the names of the header, and the facets that are its bases.
-struct Chain {
-  std::array<VertexId, 6> v;  // a, b, c, d, e, f
-  Facet base_abc;
-  Facet base_def;
-};
+/// A chain's six vertices a, b, c, d, e, f, with the names of the header.
+using Chain = std::array<VertexId, 6>;
 
 /// The corner by which `t` touches `u`: the one of t opposite their common facet. -1 if they have
 /// none.
@@ -25,8 +21,9 @@ VertexId vertex(const TetComplex& complex, TetId t, int corner) {
   return complex.vertices(t)[static_cast<std::size_t>(corner)];
 }
 
-/// The corner of the middle tetrahedron that is in both ends and not in the base of `end` that is
-/// opposite to it; there are two candidates, c and d: base_corner tells which.
+/// Names the chain's vertices. The middle tetrahedron shares two corners with both ends: c and d,
+/// told apart by which facets are then the bases; nothing if no choice puts both bases on the
+/// boundary.
 std::optional<Chain> chain_of(const Boundary& boundary, const PseudoPrism& prism) {
   const TetComplex& complex = boundary.complex();
   const auto [first, middle, last] = prism.tets;
@@ -47,10 +44,8 @@ std::optional<Chain> chain_of(const Boundary& boundary, const PseudoPrism& prism
         !boundary.on_boundary(complex.triangle(def.tet, def.corner))) {
       continue;
     }
-    return Chain{{vertex(complex, first, a), vertex(complex, middle, b), c, d,
-                  vertex(complex, middle, e), vertex(complex, last, f)},
-                 abc,
-                 def};
+    return Chain{vertex(complex, first, a),  vertex(complex, middle, b), c, d,
+                 vertex(complex, middle, e), vertex(complex, last, f)};
   }
   return std::nullopt;
 }
@@ -71,7 +66,7 @@ bool is_pseudo_prism(const Boundary& boundary, const PseudoPrism& prism,
   }
   const std::optional<Chain> chain = chain_of(boundary, prism);
   if (!chain) return false;
-  const auto [a, b, c, d, e, f] = chain->v;
+  const auto [a, b, c, d, e, f] = *chain;
   if (a == e || a == f || b == f) return false;
   // Only the bases are on the boundary: no other facet of the three, the coastal triangles
   // included.
