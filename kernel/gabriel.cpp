@@ -10,11 +10,11 @@ namespace tetsculpt {
 namespace {
 
 bool is_gabriel(std::span<const Point3> points, const TetComplex& complex, EdgeId e) {
-  const auto [a, b] = complex.vertices(e);
+  const Point3& a = points[+complex.vertices(e)[0]];
+  const Point3& b = points[+complex.vertices(e)[1]];
   bool empty = true;
   complex.turn(e, [&](Facet, VertexId third) {
-    empty = third == kInfinite ||
-            !in_perturbed_diametral_sphere(points[+a], points[+b], points[+third]);
+    empty = third == kInfinite || !in_perturbed_diametral_sphere(a, b, points[+third]);
     return empty;
   });
   return empty;

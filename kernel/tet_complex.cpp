@@ -120,7 +120,8 @@ std::optional<std::string> broken_tet(const TetComplex& complex, TetId t,
 }
 
 std::optional<std::string> broken_edge(const TetComplex& complex, EdgeId e) {
-  const auto [a, b] = complex.vertices(e);
+  const VertexId a = complex.vertices(e)[0];
+  const VertexId b = complex.vertices(e)[1];
   const std::string edge = "edge " + std::to_string(+e);
   if (!(a < b)) return edge + " has its end points out of order";
   bool good = true;

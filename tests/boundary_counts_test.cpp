@@ -50,10 +50,11 @@ void check_triangles(const testing::Stages& s, const Boundary& boundary, const R
   REQUIRE(found == rules.replay().triangles());
   const std::vector<TetId> tets = s.tets();
   const auto at = [&](VertexId v) { return s.distinct.points[+v]; };
-  for (const auto& [a, b, c] : boundary_triangles(s.complex, boundary.solid())) {
+  for (const auto& triangle : boundary_triangles(s.complex, boundary.solid())) {
+    const auto& [a, b, c] = triangle;
     const auto behind = std::ranges::find_if(tets, [&](TetId t) {
       const auto facets = testing::facets_of(s.complex.vertices(t));
-      return boundary.solid(t) && std::ranges::count(facets, sorted({a, b, c})) == 1;
+      return boundary.solid(t) && std::ranges::count(facets, sorted(triangle)) == 1;
     });
     for (const VertexId d : s.complex.vertices(*behind)) {
       if (d == a || d == b || d == c) continue;

@@ -52,8 +52,10 @@ TEST_CASE("bad input and no solid: nothing new, nothing changed") {
   dir.file("nan.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\nnan 0 0\n");
   dir.file("plane.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
   const std::vector<std::string> before = testing::names_in(dir);
-  for (const auto& [input, status] : {std::pair{"broken.xyz", 2}, std::pair{"nan.xyz", 2},
-                                      std::pair{"plane.xyz", 3}, std::pair{"none.xyz", 2}}) {
+  for (const auto& [name_of_input, status] :
+       {std::pair{"broken.xyz", 2}, std::pair{"nan.xyz", 2}, std::pair{"plane.xyz", 3},
+        std::pair{"none.xyz", 2}}) {
+    const std::string input = name_of_input;
     for (const std::string_view extension : kExtensions) {
       INFO(input, " to ", extension);
       const std::string name = "new" + std::string(extension);

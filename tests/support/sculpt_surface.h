@@ -39,7 +39,7 @@ inline std::vector<OrientedTriangle> oriented_triangles(const TriangleMesh& mesh
   std::vector<OrientedTriangle> triangles;
   for (const auto& [a, b, c] : mesh.triangles) {
     OrientedTriangle t{at(a), at(b), at(c)};
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     triangles.push_back(t);
   }
   std::ranges::sort(triangles);
