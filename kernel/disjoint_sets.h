@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/large_array.h"
+
 /// Disjoint sets with union by size and path halving.
 namespace tetsculpt {
 
@@ -33,8 +35,8 @@ class DisjointSets {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> size_;
+  LargeArray<std::uint32_t> parent_;
+  LargeArray<std::uint32_t> size_;
 };
 
 }  // namespace tetsculpt

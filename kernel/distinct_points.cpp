@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/large_array.h"
 #include "kernel/radix_sort.h"
 
 namespace tetsculpt {
@@ -68,8 +69,8 @@ int scale_exponent(const BinaryRange& range) {
 }
 
 /// Input indices in lexicographic order of their points, equal points by index.
-std::vector<KeyedIndex> lexicographic_order(std::span<const Point3> points) {
-  std::vector<KeyedIndex> order(points.size());
+LargeArray<KeyedIndex> lexicographic_order(std::span<const Point3> points) {
+  LargeArray<KeyedIndex> order(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     order[i] = {ordered_bits(points[i].x), static_cast<std::uint32_t>(i)};
   }

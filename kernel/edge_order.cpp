@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kernel/distinct_points.h"
+#include "kernel/large_array.h"
 #include "kernel/predicates.h"
 #include "kernel/radix_sort.h"
 
@@ -24,7 +25,7 @@ double squared_length(const Point3& a, const Point3& b) {
 
 std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetComplex& complex,
                                     const Flags& chosen) {
-  std::vector<KeyedIndex> items;
+  LargeArray<KeyedIndex> items;
   items.reserve(static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1)));
   for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
     if (!chosen[e]) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/point.h"
 #include "kernel/tet_complex.h"
 
@@ -12,7 +13,7 @@
 namespace tetsculpt {
 
 /// One flag per simplex, indexed by its id.
-using Flags = std::vector<std::uint8_t>;
+using Flags = LargeArray<std::uint8_t>;
 
 /// The edges whose flag is set, shortest first. Cost: a radix sort; exact comparisons only between
 /// edges whose lengths agree to 15 digits.

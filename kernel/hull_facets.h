@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/large_array.h"
 #include "kernel/point.h"
 
 /// The store of the lifted hull while it grows: facets with their neighbours, hyperplanes and
@@ -103,11 +104,11 @@ class Facets {
   std::span<const Point3> sites_;
   double exact_below_;           ///< error of a finite facet's height below which it has none
   double exact_below_infinite_;  ///< the same for an infinite facet
-  std::vector<std::array<Site, 4>> corners_;
-  std::vector<std::array<Ridge, 4>> neighbors_;
-  std::vector<Hyperplane> planes_;
-  std::vector<Site> farthest_;
-  std::vector<std::uint32_t> mark_;
+  LargeArray<std::array<Site, 4>> corners_;
+  LargeArray<std::array<Ridge, 4>> neighbors_;
+  LargeArray<Hyperplane> planes_;
+  LargeArray<Site> farthest_;
+  LargeArray<std::uint32_t> mark_;
 };
 
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {

@@ -20,6 +20,7 @@
 #include "kernel/distinct_points.h"
 #include "kernel/first_simplex.h"
 #include "kernel/hull_facets.h"
+#include "kernel/large_array.h"
 #include "kernel/predicates.h"
 #include "kernel/spatial_order.h"
 
@@ -73,13 +74,13 @@ class Worker {
   void number_horizon(Site apex);
   void link_cone();
   void link_large_cone();
-  std::vector<std::uint32_t> final_indices(const SpatialOrder& order,
-                                           std::size_t& finite_count) const;
+  LargeArray<std::uint32_t> final_indices(const SpatialOrder& order,
+                                          std::size_t& finite_count) const;
 
   std::span<const Point3> sites_;
   std::vector<std::size_t> round_begin_;
   mutable Facets facets_;
-  std::vector<Conflict> conflicts_;
+  LargeArray<Conflict> conflicts_;
   std::uint32_t stamp_ = 0;
   FacetIndex last_ = 0;           ///< a facet that is alive
   std::vector<FacetIndex> free_;  ///< facets that died without a successor
@@ -91,8 +92,8 @@ class Worker {
   std::vector<std::array<std::uint32_t, 3>> local_;  ///< its corners' numbers among the horizon's
   std::vector<LiftedDifference> spokes_;             ///< per number, the corner minus the apex
   std::uint32_t infinite_number_ = kNone;
-  std::vector<std::uint32_t> number_of_;  ///< per site and, last, the one at infinity
-  std::vector<std::uint32_t> number_stamp_;
+  LargeArray<std::uint32_t> number_of_;  ///< per site and, last, the one at infinity
+  LargeArray<std::uint32_t> number_stamp_;
   std::vector<Ridge> half_ridge_;  ///< per ordered pair of numbers
 };
 
@@ -107,7 +108,7 @@ Worker::Worker(std::span<const Point3> sites, std::vector<std::size_t> round_beg
       number_of_(sites.size() + 1),
       number_stamp_(sites.size() + 1, 0),
       half_ridge_(kLargeCone * kLargeCone) {
-  facets_.reserve(7 * sites.size() + 64);
+  facets_.reserve(9 * sites.size() + 64);
 }
 
 /// The tetrahedron and its four infinite facets, each made by putting infinity in a corner's place.
@@ -402,8 +403,8 @@ FacetIndex Worker::locate_exactly(Site q, FacetIndex from) const {
 
 /// New indices of the facets that live: finite ones first, either kind by the first of its corners
 /// along the curve. Neighbours in space are then neighbours in memory for all later stages.
-std::vector<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
-                                                 std::size_t& finite_count) const {
+LargeArray<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
+                                                std::size_t& finite_count) const {
   std::vector<bool> dead(facets_.size(), false);
   for (const FacetIndex f : free_) dead[f] = true;
   const std::size_t n = sites_.size();
@@ -415,13 +416,13 @@ std::vector<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
     }
     return facets_.infinite_corner(f) != 4 ? n + first : first;
   };
-  std::vector<std::uint32_t> next(2 * n + 1, 0);
+  LargeArray<std::uint32_t> next(2 * n + 1, 0);
   for (FacetIndex f = 0; f < facets_.size(); ++f) {
     if (!dead[f]) ++next[bucket(f) + 1];
   }
   std::partial_sum(next.begin(), next.end(), next.begin());
   finite_count = next[n];
-  std::vector<std::uint32_t> index(facets_.size(), kNone);
+  LargeArray<std::uint32_t> index(facets_.size(), kNone);
   for (FacetIndex f = 0; f < facets_.size(); ++f) {
     if (!dead[f]) index[f] = next[bucket(f)]++;
   }
@@ -430,7 +431,7 @@ std::vector<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
 
 LiftedHull Worker::result(const SpatialOrder& order) const {
   LiftedHull out;
-  const std::vector<std::uint32_t> index = final_indices(order, out.finite_count);
+  const LargeArray<std::uint32_t> index = final_indices(order, out.finite_count);
   const std::size_t count = facets_.size() - free_.size();
   out.tets.resize(count);
   out.neighbors.resize(count);
@@ -450,7 +451,7 @@ LiftedHull Worker::result(const SpatialOrder& order) const {
 
 LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options) {
   const SpatialOrder order = spatial_order(points);
-  std::vector<Point3> sites;
+  LargeArray<Point3> sites;
   sites.reserve(points.size());
   for (const VertexId v : order.vertices) sites.push_back(points[+v]);
   const FirstSimplex simplex = first_simplex(sites);

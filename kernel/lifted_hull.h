@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/point.h"
 
 /// Delaunay tetrahedralization as the lower convex hull of the points lifted to a paraboloid in 4D.
@@ -21,9 +22,9 @@ using FacetHandle = std::uint32_t;
 struct LiftedHull {
   /// Corners. Finite tetrahedra are positively oriented (orient3d of the corners is kPositive); one
   /// corner of an infinite one is kInfinite. A triangle has opposite orientations in its two sides.
-  std::vector<std::array<VertexId, 4>> tets;
+  LargeArray<std::array<VertexId, 4>> tets;
   /// Per corner i, the facet opposite i as its other side sees it.
-  std::vector<std::array<FacetHandle, 4>> neighbors;
+  LargeArray<std::array<FacetHandle, 4>> neighbors;
   std::size_t finite_count = 0;
 };
 

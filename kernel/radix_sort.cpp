@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "kernel/large_array.h"
+
 namespace tetsculpt {
 namespace {
 
@@ -18,13 +20,13 @@ std::size_t digit(std::uint64_t key, std::size_t d) {
 
 }  // namespace
 
-void radix_sort(std::vector<KeyedIndex>& items) {
+void radix_sort(LargeArray<KeyedIndex>& items) {
   if (items.empty()) return;
   std::vector<std::array<std::size_t, kBuckets>> histogram(kDigits);
   for (const KeyedIndex& item : items) {
     for (std::size_t d = 0; d < kDigits; ++d) ++histogram[d][digit(item.key, d)];
   }
-  std::vector<KeyedIndex> other(items.size());
+  LargeArray<KeyedIndex> other(items.size());
   for (std::size_t d = 0; d < kDigits; ++d) {
     auto& start = histogram[d];
     if (start[digit(items[0].key, d)] == items.size()) continue;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/large_array.h"
+
 /// Sorting by 64-bit keys in linear time.
 namespace tetsculpt {
 
@@ -14,7 +16,7 @@ struct KeyedIndex {
 
 /// Sorts by key, stably. Digits that are the same in all keys cost nothing.
 /// Cost: at most six passes; memory for a second copy.
-void radix_sort(std::vector<KeyedIndex>& items);
+void radix_sort(LargeArray<KeyedIndex>& items);
 
 /// A key that sorts as the double does; -0.0 and 0.0 get the same.
 inline std::uint64_t ordered_bits(double x) {

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "kernel/large_array.h"
 #include "kernel/radix_sort.h"
 
 namespace tetsculpt {
@@ -84,7 +85,7 @@ SpatialOrder spatial_order(std::span<const Point3> points) {
   while (points.size() >> (kBitsPerRound * last_round) > kFirstRound) ++last_round;
 
   const Cells cells(points);
-  std::vector<KeyedIndex> order(points.size());
+  LargeArray<KeyedIndex> order(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     order[i] = {hilbert_index(cells(points[i])), static_cast<std::uint32_t>(i)};
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/lifted_hull.h"
 #include "kernel/point.h"
 
@@ -107,13 +108,13 @@ class TetComplex {
   void turn_from(TetId start, int a, int b, Visit&& visit) const;
 
   std::size_t finite_count_ = 0;
-  std::vector<std::array<VertexId, 4>> tets_;
-  std::vector<std::array<FacetHandle, 4>> neighbors_;
-  std::vector<std::array<TriangleId, 4>> triangles_of_tet_;
-  std::vector<std::array<EdgeId, 6>> edges_of_tet_;
-  std::vector<FacetHandle> facet_of_triangle_;
-  std::vector<Edge> edges_;
-  std::vector<TetId> tet_of_vertex_;
+  LargeArray<std::array<VertexId, 4>> tets_;
+  LargeArray<std::array<FacetHandle, 4>> neighbors_;
+  LargeArray<std::array<TriangleId, 4>> triangles_of_tet_;
+  LargeArray<std::array<EdgeId, 6>> edges_of_tet_;
+  LargeArray<FacetHandle> facet_of_triangle_;
+  LargeArray<Edge> edges_;
+  LargeArray<TetId> tet_of_vertex_;
 };
 
 /// The first violation of what this header promises, if any. Cost: linear, in exact arithmetic.

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "kernel/large_array.h"
+
 namespace tetsculpt {
 
 VertexStars::VertexStars(const TetComplex& complex) : first_(complex.vertex_count() + 1, 0) {
@@ -15,7 +17,7 @@ VertexStars::VertexStars(const TetComplex& complex) : first_(complex.vertex_coun
   for_each_corner([&](VertexId v, TetId) { ++first_[+v + 1]; });
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   tets_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  LargeArray<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for_each_corner([&](VertexId v, TetId t) { tets_[next[+v]++] = t; });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/tet_complex.h"
 
 /// The tetrahedra at each vertex.
@@ -21,8 +22,8 @@ class VertexStars {
   }
 
  private:
-  std::vector<std::uint32_t> first_;
-  std::vector<TetId> tets_;
+  LargeArray<std::uint32_t> first_;
+  LargeArray<TetId> tets_;
 };
 
 }  // namespace tetsculpt

@@ -9,6 +9,7 @@
 
 #include "kernel/edge_order.h"
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/tet_complex.h"
 
 /// The solid being sculpted and its boundary.
@@ -45,8 +46,8 @@ class Boundary {
   const TetComplex* complex_;
   Flags solid_;
   Flags triangle_;
-  std::vector<std::uint32_t> triangles_at_edge_;
-  std::vector<std::uint32_t> triangles_at_vertex_;
+  LargeArray<std::uint32_t> triangles_at_edge_;
+  LargeArray<std::uint32_t> triangles_at_vertex_;
   std::size_t hidden_;
 };
 

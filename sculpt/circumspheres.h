@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/point.h"
 #include "kernel/tet_complex.h"
 #include "kernel/vec3.h"
@@ -40,7 +41,7 @@ class Circumspheres {
 
   std::span<const Point3> points_;
   const TetComplex* complex_;
-  std::vector<Ball> balls_;
+  LargeArray<Ball> balls_;
 };
 
 /// b - a.

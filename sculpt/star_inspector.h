@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/edge_order.h"
+#include "kernel/large_array.h"
 #include "kernel/tet_complex.h"
 #include "kernel/vertex_stars.h"
 
@@ -34,7 +35,7 @@ class StarInspector {
  private:
   const TetComplex& complex_;
   const VertexStars& stars_;
-  std::vector<std::uint32_t> seen_;  ///< per tetrahedron, the search that saw it
+  LargeArray<std::uint32_t> seen_;  ///< per tetrahedron, the search that saw it
   std::uint32_t search_ = 0;
   std::vector<TetId> stack_;
 };

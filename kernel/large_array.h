@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+/// Arrays with an element per simplex, in memory that the system backs with large pages.
+namespace tetsculpt {
+
+/// Memory for at least `bytes` bytes, in large pages where the system has them. Throws
+/// std::bad_alloc.
+void* allocate_large(std::size_t bytes);
+void free_large(void* memory) noexcept;
+
+/// Sizes from which large pages pay; smaller arrays use std::allocator.
+inline constexpr std::size_t kLargeArrayBytes = std::size_t{4} << 20;
+
+template <class T>
+struct LargePageAllocator {
+  using value_type = T;
+
+  LargePageAllocator() = default;
+  template <class U>
+  explicit(false) LargePageAllocator(const LargePageAllocator<U>&) {}
+
+  T* allocate(std::size_t n) {
+    if (n < kLargeArrayBytes / sizeof(T)) return std::allocator<T>().allocate(n);
+    return static_cast<T*>(allocate_large(n * sizeof(T)));
+  }
+  void deallocate(T* memory, std::size_t n) noexcept {
+    if (n < kLargeArrayBytes / sizeof(T)) return std::allocator<T>().deallocate(memory, n);
+    free_large(memory);
+  }
+  friend bool operator==(const LargePageAllocator&, const LargePageAllocator&) { return true; }
+};
+
+template <class T>
+using LargeArray = std::vector<T, LargePageAllocator<T>>;
+
+}  // namespace tetsculpt
