@@ -8,12 +8,13 @@
 
 #include "kernel/large_array.h"
 
-/// Disjoint sets with union by size and path halving.
+/// Disjoint sets with path halving. The representative of a set is its smallest member: with
+/// members numbered by place, trees stay shallow without a second array for sizes or ranks.
 namespace tetsculpt {
 
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t n) : parent_(n), size_(n, 1) {
+  explicit DisjointSets(std::size_t n) : parent_(n) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
@@ -25,18 +26,15 @@ class DisjointSets {
 
   /// True if a and b were in different sets, which are one now.
   bool unite(std::size_t a, std::size_t b) {
-    std::uint32_t ra = find(a);
-    std::uint32_t rb = find(b);
+    const std::uint32_t ra = find(a);
+    const std::uint32_t rb = find(b);
     if (ra == rb) return false;
-    if (size_[ra] < size_[rb]) std::swap(ra, rb);
-    parent_[rb] = ra;
-    size_[ra] += size_[rb];
+    parent_[std::max(ra, rb)] = std::min(ra, rb);
     return true;
   }
 
  private:
   LargeArray<std::uint32_t> parent_;
-  LargeArray<std::uint32_t> size_;
 };
 
 }  // namespace tetsculpt

@@ -13,7 +13,7 @@ void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
 
 /// Sizes from which large pages pay; smaller arrays use std::allocator.
-inline constexpr std::size_t kLargeArrayBytes = std::size_t{4} << 20;
+inline constexpr std::size_t kLargeArrayBytes = std::size_t{1} << 20;
 
 template <class T>
 struct LargePageAllocator {

@@ -429,19 +429,49 @@ LargeArray<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
   return index;
 }
 
+/// Where the corners of a facet go when its vertices are put in ascending order, infinity last; the
+/// last two change places if that keeps the orientation.
+std::array<std::uint8_t, 4> places_in_order(const std::array<VertexId, 4>& corners) {
+  std::array<std::uint64_t, 4> keys;
+  for (std::size_t i = 0; i < 4; ++i) keys[i] = std::uint64_t{+corners[i]} << 2 | i;
+  bool odd = false;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    const bool swap = keys[i] > keys[j];
+    const std::uint64_t low = swap ? keys[j] : keys[i];
+    keys[j] = swap ? keys[i] : keys[j];
+    keys[i] = low;
+    odd ^= swap;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+  std::array<std::uint8_t, 4> places;
+  for (std::uint8_t place = 0; place < 4; ++place) places[keys[place] & 3] = place;
+  if (odd) std::swap(places[keys[2] & 3], places[keys[3] & 3]);
+  return places;
+}
+
 LiftedHull Worker::result(const SpatialOrder& order) const {
   LiftedHull out;
   const LargeArray<std::uint32_t> index = final_indices(order, out.finite_count);
   const std::size_t count = facets_.size() - free_.size();
   out.tets.resize(count);
   out.neighbors.resize(count);
+  LargeArray<std::array<std::uint8_t, 4>> places(facets_.size());
+  for (FacetIndex f = 0; f < facets_.size(); ++f) {
+    if (index[f] == kNone) continue;
+    std::array<VertexId, 4> corners;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const Site s = facets_.corners(f)[i];
+      corners[i] = s == kAtInfinity ? kInfinite : order.vertices[s];
+    }
+    places[f] = places_in_order(corners);
+    for (std::uint32_t i = 0; i < 4; ++i) out.tets[index[f]][places[f][i]] = corners[i];
+  }
   for (FacetIndex f = 0; f < facets_.size(); ++f) {
     if (index[f] == kNone) continue;
     for (std::uint32_t i = 0; i < 4; ++i) {
-      const Site s = facets_.corners(f)[i];
       const Ridge r = facets_.neighbors(f)[i];
-      out.tets[index[f]][i] = s == kAtInfinity ? kInfinite : order.vertices[s];
-      out.neighbors[index[f]][i] = 4 * index[facet_of(r)] + corner_of(r);
+      const FacetIndex g = facet_of(r);
+      out.neighbors[index[f]][places[f][i]] = 4 * index[g] + places[g][corner_of(r)];
     }
   }
   return out;

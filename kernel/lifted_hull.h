@@ -20,8 +20,9 @@ using FacetHandle = std::uint32_t;
 /// The tetrahedra, finite ones first, then one infinite tetrahedron per triangle of the convex
 /// hull.
 struct LiftedHull {
-  /// Corners. Finite tetrahedra are positively oriented (orient3d of the corners is kPositive); one
-  /// corner of an infinite one is kInfinite. A triangle has opposite orientations in its two sides.
+  /// Corners, in ascending order but for the last two, whose order gives the orientation. Finite
+  /// tetrahedra are positively oriented (orient3d of the corners is kPositive); one corner of an
+  /// infinite one is kInfinite. A triangle has opposite orientations in its two sides.
   LargeArray<std::array<VertexId, 4>> tets;
   /// Per corner i, the facet opposite i as its other side sees it.
   LargeArray<std::array<FacetHandle, 4>> neighbors;

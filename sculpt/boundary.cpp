@@ -37,13 +37,20 @@ void Boundary::toggle(TetId t, int corner) {
   std::uint8_t& on = triangle_[+complex_->triangle(t, corner)];
   on ^= 1;
   const std::uint32_t change = on ? 1u : 0xffffffffu;
+  /// True if the simplex comes to the boundary or leaves it.
+  const auto counted = [&](std::uint32_t& count) {
+    const std::uint32_t before = std::exchange(count, count + change);
+    return before == 0 || count == 0;
+  };
+  int appeared = 1;  // the triangle, less the edges, plus the vertices
   for (std::size_t i = 0; i < 3; ++i) {
-    triangles_at_edge_[+complex_->edge(t, kEdgeOfCorners[facet[i]][facet[(i + 1) % 3]])] += change;
-    std::uint32_t& count = triangles_at_vertex_[+v[facet[i]]];
-    if (on && count == 0) --hidden_;
-    count += change;
-    if (!on && count == 0) ++hidden_;
+    const EdgeId e = complex_->edge(t, kEdgeOfCorners[facet[i]][facet[(i + 1) % 3]]);
+    appeared -= counted(triangles_at_edge_[+e]);
+    if (!counted(triangles_at_vertex_[+v[facet[i]]])) continue;
+    ++appeared;
+    on ? --hidden_ : ++hidden_;
   }
+  euler_characteristic_ += on ? appeared : -appeared;
 }
 
 void Boundary::remove(TetId t) {
@@ -120,6 +127,12 @@ std::optional<std::string> broken_invariant(const Boundary& boundary) {
     if (boundary.on_boundary(TriangleId{t}) != (triangle[t] != 0)) {
       return "triangle " + std::to_string(t) + " is wrongly marked";
     }
+  }
+  const auto count = [](const Flags& flags) {
+    return std::count(flags.begin(), flags.end(), std::uint8_t{1});
+  };
+  if (boundary.euler_characteristic() != count(vertex) - count(edge) + count(triangle)) {
+    return "the Euler characteristic is wrong";
   }
   for (std::uint32_t e = 0; e < edge.size(); ++e) {
     if (boundary.on_boundary(EdgeId{e}) != (edge[e] != 0)) {

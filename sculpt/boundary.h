@@ -34,6 +34,9 @@ class Boundary {
   /// Vertices that are not on the boundary: all their tetrahedra are solid, or none is.
   std::size_t hidden_count() const { return hidden_; }
   std::vector<VertexId> hidden_vertices() const;
+  /// Vertices less edges plus triangles, of those on the boundary: for a 2-manifold twice the
+  /// number of shells less twice the number of handles.
+  std::int64_t euler_characteristic() const { return euler_characteristic_; }
 
   /// Takes a solid tetrahedron off the solid.
   void remove(TetId t);
@@ -49,6 +52,7 @@ class Boundary {
   LargeArray<std::uint32_t> triangles_at_edge_;
   LargeArray<std::uint32_t> triangles_at_vertex_;
   std::size_t hidden_;
+  std::int64_t euler_characteristic_ = 0;
 };
 
 /// How a tetrahedron meets the boundary, and whether the basic rules allow its removal.

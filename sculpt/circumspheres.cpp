@@ -19,10 +19,8 @@ Circumspheres::Circumspheres(std::span<const Point3> points, const TetComplex& c
   }
 }
 
-/// Corners are taken in lexicographic order, so that the result depends on nothing but the points.
 Circumspheres::Ball Circumspheres::finite_ball(TetId t) const {
-  std::array<VertexId, 4> v = complex_->vertices(t);
-  std::sort(v.begin(), v.end());
+  const std::array<VertexId, 4>& v = complex_->vertices(t);
   const Point3& o = points_[+v[0]];
   const Vec a = from_to(o, points_[+v[1]]);
   const Vec b = from_to(o, points_[+v[2]]);
@@ -70,6 +68,15 @@ double Circumspheres::overlap_with_outside(TetId finite, int corner, TetId infin
       dot(from_to(as_vector(points_[+first]), ball.centre), balls_[+infinite].centre);
   const double cosine = height / ball.radius;
   return std::isfinite(cosine) ? std::clamp(cosine, -1.0, 1.0) : 0;
+}
+
+LargeArray<float> overlaps(const TetComplex& complex, const Circumspheres& spheres) {
+  LargeArray<float> overlap(complex.triangle_count());
+  for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
+    const Facet f = complex.facet(TriangleId{t});
+    overlap[t] = static_cast<float>(spheres.overlap(f.tet, f.corner));
+  }
+  return overlap;
 }
 
 }  // namespace tetsculpt

@@ -52,6 +52,9 @@ inline Vec3<double> from_to(const Vec3<double>& a, const Vec3<double>& b) {
   return {b.x - a.x, b.y - a.y, b.z - a.z};
 }
 inline Vec3<double> as_vector(const Point3& p) { return {p.x, p.y, p.z}; }
+/// Per triangle, the overlap of the spheres on its two sides. Cost: linear.
+LargeArray<float> overlaps(const TetComplex& complex, const Circumspheres& spheres);
+
 inline double length(const Vec3<double>& a) { return std::sqrt(dot(a, a)); }
 
 }  // namespace tetsculpt

@@ -1,7 +1,6 @@
 #include "sculpt/deform.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <vector>
 
@@ -10,74 +9,41 @@
 namespace tetsculpt {
 namespace {
 
-/// A search for one vertex gives up after so many flips.
-constexpr int kMostFlips = 100'000;
-constexpr int kDeepest = 3;
+constexpr TetId kNoTet{0xffffffffu};
 
 bool flippable(const Boundary& boundary, TetId t) {
   return boundary.complex().finite(t) && exposure(boundary, t).removable;
 }
 
-/// Looks for a short sequence of flips that brings one hidden vertex to the surface.
-class ExposureSearch {
- public:
-  ExposureSearch(Boundary& boundary, const VertexStars& stars, const Circumspheres& spheres,
-                 VertexId v)
-      : boundary_(boundary), spheres_(spheres), v_(v) {
-    const TetComplex& complex = boundary.complex();
-    for (const TetId t : stars(v)) {
-      for (const VertexId u : complex.vertices(t)) {
-        if (u == kInfinite) continue;
-        for (const TetId s : stars(u)) {
-          if (complex.finite(s)) region_.push_back(s);
-        }
-      }
-    }
-    std::sort(region_.begin(), region_.end());
-    region_.erase(std::unique(region_.begin(), region_.end()), region_.end());
-  }
-
-  /// Applies the shortest sequence, of several the one with the least sum of radii; false if none.
-  bool run() {
-    for (int depth = 1; depth <= kDeepest && best_.empty(); ++depth) descend(depth, 0);
-    for (const TetId t : best_) boundary_.flip(t);
-    return !best_.empty();
-  }
-
- private:
-  void descend(int depth, double cost_so_far) {
-    for (const TetId t : region_) {
-      if (flips_ >= kMostFlips) return;
-      if (!flippable(boundary_, t) || (depth == 1 && !holds_vertex(t))) continue;
-      if (!path_.empty() && path_.back() == t) continue;
-      const double total = cost_so_far + spheres_.radius(t);
-      path_.push_back(t);
-      boundary_.flip(t);
-      ++flips_;
-      if (boundary_.on_boundary(v_)) {
-        if (total < best_cost_) best_ = path_, best_cost_ = total;
-      } else if (depth > 1) {
-        descend(depth - 1, total);
-      }
-      boundary_.flip(t);
-      path_.pop_back();
+/// The tetrahedra at a vertex, found by walking through its star.
+std::vector<TetId> star_of(const TetComplex& complex, VertexId v) {
+  std::vector<TetId> star{complex.tet(v)};
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    for (int i = 0; i < 4; ++i) {
+      if (complex.vertices(star[k])[static_cast<std::size_t>(i)] == v) continue;
+      const TetId t = complex.neighbor(star[k], i);
+      if (std::find(star.begin(), star.end(), t) == star.end()) star.push_back(t);
     }
   }
+  return star;
+}
 
-  bool holds_vertex(TetId t) const {
-    const auto& c = boundary_.complex().vertices(t);
-    return std::find(c.begin(), c.end(), v_) != c.end();
+/// The flip with the smallest circumsphere that brings a hidden vertex out: of a tetrahedron whose
+/// facet opposite the vertex is on the boundary. kNoTet if there is none.
+TetId exposing_flip(const TetComplex& complex, const Circumspheres& spheres, VertexId v,
+                    const Flags& solid) {
+  TetId best = kNoTet;
+  const auto better = [&](TetId t) {
+    if (best == kNoTet || spheres.radius(t) < spheres.radius(best)) return true;
+    return spheres.radius(t) == spheres.radius(best) && t < best;
+  };
+  for (const TetId t : star_of(complex, v)) {
+    if (!complex.finite(t)) continue;
+    const TetId beyond = complex.neighbor(t, corner_of(complex.vertices(t), v));
+    if (solid[+beyond] != solid[+t] && better(t)) best = t;
   }
-
-  Boundary& boundary_;
-  const Circumspheres& spheres_;
-  VertexId v_;
-  std::vector<TetId> region_;
-  std::vector<TetId> path_;
-  std::vector<TetId> best_;
-  double best_cost_ = HUGE_VAL;
-  int flips_ = 0;
-};
+  return best;
+}
 
 }  // namespace
 
@@ -117,14 +83,19 @@ void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flag
   }
 }
 
-void expose_hidden(Boundary& boundary, const VertexStars& stars, const Circumspheres& spheres) {
-  for (bool progress = true; progress && boundary.hidden_count() > 0;) {
+std::vector<VertexId> expose_hidden(const TetComplex& complex, const Circumspheres& spheres,
+                                    std::vector<VertexId> hidden, Flags& solid) {
+  for (bool progress = true; progress;) {
     progress = false;
-    for (const VertexId v : boundary.hidden_vertices()) {
-      if (boundary.on_boundary(v)) continue;
-      progress = ExposureSearch(boundary, stars, spheres, v).run() || progress;
-    }
+    std::erase_if(hidden, [&](VertexId v) {
+      const TetId t = exposing_flip(complex, spheres, v, solid);
+      if (t == kNoTet) return false;
+      solid[+t] ^= 1;
+      progress = true;
+      return true;
+    });
   }
+  return hidden;
 }
 
 }  // namespace tetsculpt

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "kernel/edge_order.h"
-#include "kernel/vertex_stars.h"
+#include "kernel/tet_complex.h"
 #include "sculpt/boundary.h"
 #include "sculpt/circumspheres.h"
 
@@ -17,9 +19,11 @@ enum class FlipOrder { kSmallestFirst, kLargestFirst };
 void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flags& wanted,
                     FlipOrder order);
 
-/// Brings hidden vertices to the surface: where a single flip does it, by the one with the smallest
-/// circumsphere; else by the shortest sequence of flips nearby that ends with it, up to three.
-/// Searches a bounded number of sequences per vertex.
-void expose_hidden(Boundary& boundary, const VertexStars& stars, const Circumspheres& spheres);
+/// Brings hidden vertices of a 2-manifold to it where a single flip by the basic rules does that,
+/// each by the one with the smallest circumsphere, until no more is to be had that way. `hidden`
+/// are all the vertices that are not on the boundary of `solid`; returns those that are left.
+/// Cost: the stars of the hidden vertices.
+std::vector<VertexId> expose_hidden(const TetComplex& complex, const Circumspheres& spheres,
+                                    std::vector<VertexId> hidden, Flags& solid);
 
 }  // namespace tetsculpt

@@ -14,7 +14,7 @@ inline double flip_cost(const TetComplex& complex, const Evidence& evidence, con
                         TetId t) {
   double change = inside[+t] ? evidence.inside_bias[+t] : -evidence.inside_bias[+t];
   for (int i = 0; i < 4; ++i) {
-    const double cost = evidence.facet_cost[+complex.triangle(t, i)];
+    const double cost = evidence.facet_cost(complex.triangle(t, i));
     change += inside[+complex.neighbor(t, i)] == inside[+t] ? cost : -cost;
   }
   return change;

@@ -4,12 +4,26 @@
 #include "kernel/tet_complex.h"
 #include "kernel/vertex_stars.h"
 #include "sculpt/evidence.h"
+#include "sculpt/label_graph.h"
+#include "sculpt/star_faults.h"
 
 /// Inside or outside, for each tetrahedron.
 namespace tetsculpt {
 
-/// Flags per tetrahedron: is it believed inside? Infinite ones never are.
-struct Labels {
+/// Labels by one minimum cut.
+struct CutLabels {
+  /// Per tetrahedron: is it believed inside? Infinite ones never are.
+  Flags inside;
+  /// Where its boundary is no 2-manifold through all vertices.
+  StarFaults faults;
+};
+
+/// Minimises the evidence's energy over labels of the graph's nodes. The cut is unique.
+/// [Labatut, Pons, Keriven 2009 for cuts over a Delaunay complex]
+CutLabels cut_labels(const TetComplex& complex, const LabelGraph& graph, const Evidence& evidence);
+
+/// Labels by a series of cuts, per tetrahedron as above.
+struct RefinedLabels {
   /// Nearest to a surface: few vertices have all their tetrahedra on one side, few stars are bad.
   Flags likely;
   /// The least energy once the poles of vertices that had all their tetrahedra on one side
@@ -17,8 +31,9 @@ struct Labels {
   Flags wanted;
 };
 
-/// Minimises the evidence's energy by minimum cuts. Changes `evidence.inside_bias` where poles
-/// insist. [Labatut, Pons, Keriven 2009 for cuts over a Delaunay complex]
-Labels cut_labels(const TetComplex& complex, const VertexStars& stars, Evidence& evidence);
+/// Cuts again with single tetrahedra as nodes around these faults, and again while poles of hidden
+/// vertices insist. Adds to `evidence.inside_bias` what they insist on.
+RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars,
+                             const StarFaults& faults, Evidence& evidence);
 
 }  // namespace tetsculpt

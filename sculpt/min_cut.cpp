@@ -4,53 +4,38 @@
 // bias the tetrahedra concerned are taken out of their trees and planted anew, as in P. Kohli, P.
 // H. S. Torr, "Dynamic graph cuts for efficient inference in Markov random fields", IEEE PAMI
 // 29(12), 2007.
-//
-// The graph is the complex itself: nodes are finite tetrahedra, arcs their facets.
 #include "sculpt/min_cut.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace tetsculpt {
 
-MinCut::MinCut(const TetComplex& complex)
-    : complex_(&complex),
-      mate_(4 * complex.finite_tet_count(), kNoArc),
-      residual_(4 * complex.finite_tet_count(), 0),
-      terminal_(complex.finite_tet_count(), 0),
-      parent_(complex.finite_tet_count(), kNoArc),
-      tree_(complex.finite_tet_count(), kFree),
-      stamp_(complex.finite_tet_count(), 0),
-      distance_(complex.finite_tet_count(), 0),
-      is_active_(complex.finite_tet_count(), 0),
-      inside_(complex.tet_count(), 0) {
-  for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-    changed_.push_back(t);
-    for (int i = 0; i < 4; ++i) {
-      const Facet other = complex.across(TetId{t}, i);
-      if (!complex.finite(other.tet)) continue;
-      mate_[4 * t + static_cast<std::uint32_t>(i)] =
-          static_cast<Arc>(4 * +other.tet) + static_cast<Arc>(other.corner);
-    }
+MinCut::MinCut(const LabelGraph& graph, LargeArray<Capacity> capacity)
+    : graph_(&graph),
+      residual_(std::move(capacity)),
+      terminal_(graph.node_count(), 0),
+      parent_(graph.node_count(), kNoArc),
+      tree_(graph.node_count(), kFree),
+      stamp_(graph.node_count(), 0),
+      distance_(graph.node_count(), 0),
+      is_active_(graph.node_count(), 0),
+      changed_(graph.node_count() - 1),
+      inside_(graph.node_count(), 0) {
+  for (Arc a = arcs_begin(LabelGraph::kOutside); a != arcs_end(LabelGraph::kOutside); ++a) {
+    terminal_[head(a)] += residual_[a];
   }
+  std::iota(changed_.begin(), changed_.end(), Node{1});
 }
 
-void MinCut::set_facet(TriangleId t, Capacity cost) {
-  const Facet f = complex_->facet(t);
-  const Arc a = static_cast<Arc>(4 * +f.tet) + static_cast<Arc>(f.corner);
-  if (has_arc(a)) {
-    residual_[a] = residual_[mate_[a]] = cost;
-  } else {
-    terminal_[+f.tet] += cost;  // beyond the hull everything is outside
-  }
-}
-
-void MinCut::add_inside_bias(TetId t, Capacity bias) {
-  terminal_[+t] -= bias;
-  changed_.push_back(static_cast<std::uint32_t>(+t));
+void MinCut::add_inside_bias(Node x, Capacity bias) {
+  terminal_[x] -= bias;
+  changed_.push_back(x);
 }
 
 /// Makes x a root of the tree that its terminal capacity asks for.
-void MinCut::place(std::uint32_t x) {
+void MinCut::place(Node x) {
   if (terminal_[x] == 0) {
     if (parent_[x] == kTerminal) uproot(x);
     return;
@@ -65,13 +50,13 @@ void MinCut::place(std::uint32_t x) {
 }
 
 /// Frees x; its children look for other parents.
-void MinCut::uproot(std::uint32_t x) {
-  for (Arc a = 4 * x; a < 4 * x + 4; ++a) {
+void MinCut::uproot(Node x) {
+  for (Arc a = arcs_begin(x); a != arcs_end(x); ++a) {
     if (!has_arc(a)) continue;
-    const std::uint32_t y = head(a);
+    const Node y = head(a);
     if (tree_[y] == kFree) continue;
     activate(y);
-    if (parent_[y] == mate_[a]) orphan(y);
+    if (parent_[y] == mate(a)) orphan(y);
   }
   tree_[x] = kFree;
   parent_[x] = kNoArc;
@@ -79,47 +64,55 @@ void MinCut::uproot(std::uint32_t x) {
   adopt_orphans();
 }
 
-void MinCut::activate(std::uint32_t x) {
+void MinCut::activate(Node x) {
+  if (x == growing_) next_arc_ = arcs_begin(x);
   if (is_active_[x]) return;
   is_active_[x] = 1;
   active_.push_back(x);
 }
 
 const Flags& MinCut::solve() {
-  for (const std::uint32_t x : changed_) place(x);
+  for (const Node x : changed_) place(x);
   changed_.clear();
-  while (next_active_ < active_.size()) {
-    const std::uint32_t x = active_[next_active_];
-    const Arc bridge = tree_[x] == kFree ? kNoArc : grow(x);
-    if (bridge != kNoArc) {
-      augment(bridge);
-      continue;
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    growing_ = active_[k];
+    // An augmentation may open arcs behind it: the last pass must find nothing.
+    for (bool augmented = true; augmented;) {
+      augmented = false;
+      next_arc_ = arcs_begin(growing_);
+      while (tree_[growing_] != kFree) {
+        const Arc bridge = grow(growing_);
+        if (bridge == kNoArc) break;
+        augment(bridge);
+        augmented = true;
+      }
     }
-    is_active_[x] = 0;
-    ++next_active_;
+    is_active_[growing_] = 0;
   }
   active_.clear();
-  next_active_ = 0;
-  for (std::uint32_t t = 0; t < tree_.size(); ++t) inside_[t] = tree_[t] != kOutside;
+  growing_ = LabelGraph::kOutside;
+  for (Node x = 1; x < tree_.size(); ++x) inside_[x] = tree_[x] != kOutside;
   return inside_;
 }
 
-/// Extends x's tree to free neighbours. An arc from the outside tree to the inside tree, if there
-/// is one that is not saturated, ends the search.
-MinCut::Arc MinCut::grow(std::uint32_t x) {
-  for (Arc a = 4 * x; a < 4 * x + 4; ++a) {
+/// Extends x's tree to free neighbours, from the arc where it left off: a node may have very many.
+/// An arc from the outside tree to the inside tree, if there is one that is not saturated, ends the
+/// search.
+MinCut::Arc MinCut::grow(Node x) {
+  for (; next_arc_ != arcs_end(x); ++next_arc_) {
+    const Arc a = next_arc_;
     if (!has_arc(a) || residual_towards(tree_[x], a) <= 0) continue;
-    const std::uint32_t y = head(a);
+    const Node y = head(a);
     if (tree_[y] == kFree) {
       tree_[y] = tree_[x];
-      parent_[y] = mate_[a];
+      parent_[y] = mate(a);
       stamp_[y] = stamp_[x];
       distance_[y] = distance_[x] + 1;
       activate(y);
     } else if (tree_[y] != tree_[x]) {
-      return tree_[x] == kOutside ? a : mate_[a];
+      return tree_[x] == kOutside ? a : mate(a);
     } else if (stamp_[y] <= stamp_[x] && distance_[y] > distance_[x] + 1) {
-      parent_[y] = mate_[a];
+      parent_[y] = mate(a);
       stamp_[y] = stamp_[x];
       distance_[y] = distance_[x] + 1;
     }
@@ -129,12 +122,12 @@ MinCut::Arc MinCut::grow(std::uint32_t x) {
 
 MinCut::Capacity MinCut::bottleneck(Arc bridge) const {
   Capacity flow = residual_[bridge];
-  std::uint32_t x = bridge >> 2;
+  Node x = tail(bridge);
   for (; parent_[x] != kTerminal; x = head(parent_[x])) {
-    flow = std::min(flow, residual_[mate_[parent_[x]]]);
+    flow = std::min(flow, residual_[mate(parent_[x])]);
   }
   flow = std::min(flow, terminal_[x]);
-  std::uint32_t y = head(bridge);
+  Node y = head(bridge);
   for (; parent_[y] != kTerminal; y = head(parent_[y])) {
     flow = std::min(flow, residual_[parent_[y]]);
   }
@@ -142,7 +135,7 @@ MinCut::Capacity MinCut::bottleneck(Arc bridge) const {
 }
 
 /// Sends flow along the path from x to the root of its tree.
-void MinCut::push(std::uint32_t x, Tree tree, Capacity flow) {
+void MinCut::push(Node x, Tree tree, Capacity flow) {
   for (;;) {
     const Arc a = parent_[x];
     if (a == kTerminal) {
@@ -150,9 +143,9 @@ void MinCut::push(std::uint32_t x, Tree tree, Capacity flow) {
       if (terminal_[x] == 0) orphan(x);
       return;
     }
-    const Arc forward = tree == kOutside ? mate_[a] : a;
+    const Arc forward = tree == kOutside ? mate(a) : a;
     residual_[forward] -= flow;
-    residual_[mate_[forward]] += flow;
+    residual_[mate(forward)] += flow;
     const std::uint32_t up = head(a);
     if (residual_[forward] == 0) orphan(x);
     x = up;
@@ -162,28 +155,28 @@ void MinCut::push(std::uint32_t x, Tree tree, Capacity flow) {
 void MinCut::augment(Arc bridge) {
   const Capacity flow = bottleneck(bridge);
   residual_[bridge] -= flow;
-  residual_[mate_[bridge]] += flow;
-  push(bridge >> 2, kOutside, flow);
+  residual_[mate(bridge)] += flow;
+  push(tail(bridge), kOutside, flow);
   push(head(bridge), kInside, flow);
   ++time_;
   adopt_orphans();
 }
 
-void MinCut::orphan(std::uint32_t x) {
+void MinCut::orphan(Node x) {
   parent_[x] = kNoArc;
   orphans_.push_back(x);
 }
 
 void MinCut::adopt_orphans() {
   for (std::size_t k = 0; k < orphans_.size(); ++k) {
-    const std::uint32_t x = orphans_[k];
+    const Node x = orphans_[k];
     if (adopt(x)) continue;
-    for (Arc a = 4 * x; a < 4 * x + 4; ++a) {
+    for (Arc a = arcs_begin(x); a != arcs_end(x); ++a) {
       if (!has_arc(a)) continue;
-      const std::uint32_t y = head(a);
+      const Node y = head(a);
       if (tree_[y] != tree_[x]) continue;
-      if (residual_towards(tree_[x], mate_[a]) > 0) activate(y);
-      if (parent_[y] == mate_[a]) orphan(y);
+      if (residual_towards(tree_[x], mate(a)) > 0) activate(y);
+      if (parent_[y] == mate(a)) orphan(y);
     }
     tree_[x] = kFree;
   }
@@ -191,12 +184,12 @@ void MinCut::adopt_orphans() {
 }
 
 /// Gives x the parent nearest to a root, if a neighbour in its tree has a way there.
-bool MinCut::adopt(std::uint32_t x) {
+bool MinCut::adopt(Node x) {
   Arc best = kNoArc;
   std::uint32_t best_distance = 0xffffffffu;
-  for (Arc a = 4 * x; a < 4 * x + 4; ++a) {
+  for (Arc a = arcs_begin(x); a != arcs_end(x); ++a) {
     if (!has_arc(a) || tree_[head(a)] != tree_[x]) continue;
-    if (residual_towards(tree_[x], mate_[a]) <= 0) continue;
+    if (residual_towards(tree_[x], mate(a)) <= 0) continue;
     std::uint32_t distance = 0;
     if (origin_distance(head(a), distance) && distance < best_distance) {
       best_distance = distance;
@@ -211,9 +204,9 @@ bool MinCut::adopt(std::uint32_t x) {
 }
 
 /// Follows y to its root; false if it ends at an orphan. Remembers the distances on the way.
-bool MinCut::origin_distance(std::uint32_t y, std::uint32_t& distance) {
+bool MinCut::origin_distance(Node y, std::uint32_t& distance) {
   std::uint32_t steps = 0;
-  for (std::uint32_t z = y;; z = head(parent_[z])) {
+  for (Node z = y;; z = head(parent_[z])) {
     if (stamp_[z] == time_ && parent_[z] != kNoArc) {
       steps += distance_[z];
       break;
@@ -227,7 +220,7 @@ bool MinCut::origin_distance(std::uint32_t y, std::uint32_t& distance) {
     }
   }
   distance = steps;
-  for (std::uint32_t z = y; stamp_[z] != time_; z = head(parent_[z])) {
+  for (Node z = y; stamp_[z] != time_; z = head(parent_[z])) {
     stamp_[z] = time_;
     distance_[z] = steps--;
   }

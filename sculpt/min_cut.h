@@ -1,14 +1,15 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/edge_order.h"
-#include "kernel/ids.h"
-#include "kernel/tet_complex.h"
+#include "kernel/large_array.h"
+#include "sculpt/label_graph.h"
 
-/// Minimum cut between outside and inside over the tetrahedra of a complex.
+/// Minimum cut between outside and inside over the nodes of a label graph.
 namespace tetsculpt {
 
 /// Flow capacities are 64-bit integers, so that the cut is exact; of all minimum cuts solve() takes
@@ -16,59 +17,64 @@ namespace tetsculpt {
 class MinCut {
  public:
   using Capacity = std::int64_t;
+  using Node = LabelGraph::Node;
 
-  /// Nothing is connected yet. Keeps a reference to the complex. Infinite tetrahedra are outside.
-  explicit MinCut(const TetComplex& complex);
+  /// `capacity` has the cost of cutting each arc, the same for its mate. Keeps a reference to the
+  /// graph.
+  MinCut(const LabelGraph& graph, LargeArray<Capacity> capacity);
 
-  /// Cost of having the facet between an inside and an outside tetrahedron, for every finite
-  /// triangle.
-  void set_facet(TriangleId t, Capacity cost);
-  /// Adds to the cost that a finite tetrahedron has for being outside (negative: for being inside).
-  void add_inside_bias(TetId t, Capacity bias);
+  /// Adds to the cost that a node has for being outside (negative: for being inside). The node is
+  /// not LabelGraph::kOutside.
+  void add_inside_bias(Node x, Capacity bias);
 
-  /// The minimum cut, per tetrahedron: is it inside? May be called again after more bias was added,
-  /// and then goes on from the flow it has. Cost: the Boykov-Kolmogorov algorithm; near linear in
+  /// The minimum cut, per node: is it inside? May be called again after more bias was added, and
+  /// then goes on from the flow it has. Cost: the Boykov-Kolmogorov algorithm; near linear in
   /// practice.
   const Flags& solve();
 
  private:
   enum Tree : std::uint8_t { kFree, kOutside, kInside };
-  using Arc = FacetHandle;
+  using Arc = std::uint32_t;
 
-  bool has_arc(Arc a) const { return mate_[a] != kNoArc; }
-  std::uint32_t head(Arc a) const { return mate_[a] >> 2; }
+  /// Arcs to the outside became terminal capacities.
+  bool has_arc(Arc a) const { return graph_->arcs[a].head != LabelGraph::kOutside; }
+  Node head(Arc a) const { return graph_->arcs[a].head; }
+  Arc mate(Arc a) const { return graph_->arcs[a].mate; }
+  Node tail(Arc a) const { return head(mate(a)); }
+  Arc arcs_begin(Node x) const { return graph_->first[x]; }
+  Arc arcs_end(Node x) const { return graph_->first[x + 1]; }
   /// What can still flow from the outer to the inner end of the arc that joins x's tree to y.
   Capacity residual_towards(Tree tree, Arc from_x) const {
-    return tree == kOutside ? residual_[from_x] : residual_[mate_[from_x]];
+    return tree == kOutside ? residual_[from_x] : residual_[mate(from_x)];
   }
-  void place(std::uint32_t x);
-  void uproot(std::uint32_t x);
-  void activate(std::uint32_t x);
-  Arc grow(std::uint32_t x);
+  void place(Node x);
+  void uproot(Node x);
+  void activate(Node x);
+  Arc grow(Node x);
   void augment(Arc bridge);
   Capacity bottleneck(Arc bridge) const;
-  void push(std::uint32_t x, Tree tree, Capacity flow);
+  void push(Node x, Tree tree, Capacity flow);
   void adopt_orphans();
-  bool adopt(std::uint32_t x);
-  bool origin_distance(std::uint32_t y, std::uint32_t& distance);
-  void orphan(std::uint32_t x);
+  bool adopt(Node x);
+  bool origin_distance(Node y, std::uint32_t& distance);
+  void orphan(Node x);
 
   static constexpr Arc kNoArc = 0xffffffffu;
   static constexpr Arc kTerminal = 0xfffffffeu;
 
-  const TetComplex* complex_;
-  std::vector<Arc> mate_;           ///< per facet of a finite tetrahedron, the same from beyond
-  std::vector<Capacity> residual_;  ///< per facet, what can flow out through it
-  std::vector<Capacity> terminal_;  ///< per tetrahedron: > 0 from outside, < 0 to inside
-  std::vector<Arc> parent_;         ///< arc towards the root, kTerminal at a root, or kNoArc
-  std::vector<Tree> tree_;
-  std::vector<std::uint32_t> stamp_;     ///< when distance_ was last known to be right
-  std::vector<std::uint32_t> distance_;  ///< to the root
-  std::vector<std::uint32_t> active_;    ///< queue
-  std::size_t next_active_ = 0;
+  const LabelGraph* graph_;
+  LargeArray<Capacity> residual_;  ///< per arc, what can still flow along it
+  LargeArray<Capacity> terminal_;  ///< per node: > 0 from outside, < 0 to inside
+  LargeArray<Arc> parent_;         ///< arc towards the root, kTerminal at a root, or kNoArc
+  LargeArray<Tree> tree_;
+  LargeArray<std::uint32_t> stamp_;      ///< when distance_ was last known to be right
+  LargeArray<std::uint32_t> distance_;   ///< to the root
+  std::vector<Node> active_;             ///< queue
+  Node growing_ = LabelGraph::kOutside;  ///< the active node at work; kOutside is none
+  Arc next_arc_ = 0;                     ///< of that node
   Flags is_active_;
-  std::vector<std::uint32_t> orphans_;
-  std::vector<std::uint32_t> changed_;
+  std::vector<Node> orphans_;
+  std::vector<Node> changed_;
   std::uint32_t time_ = 0;
   Flags inside_;
 };

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/point.h"
+#include "kernel/tet_complex.h"
 #include "kernel/vec3.h"
-#include "kernel/vertex_stars.h"
 #include "sculpt/circumspheres.h"
 
 /// Poles: where a vertex's Voronoi cell is longest, which is along the surface normal.
@@ -26,8 +26,9 @@ struct PolePair {
   double strength = 0;
 };
 
-/// One pair per vertex. Cost: linear in the complex.
-std::vector<PolePair> poles(std::span<const Point3> points, const TetComplex& complex,
-                            const VertexStars& stars, const Circumspheres& spheres);
+/// One pair per vertex; of equally far ones the tetrahedron with the lower id. Cost: two passes
+/// over the complex.
+LargeArray<PolePair> poles(std::span<const Point3> points, const TetComplex& complex,
+                           const Circumspheres& spheres);
 
 }  // namespace tetsculpt

@@ -1,12 +1,16 @@
-// Guided sculpting. Evidence (sculpt/evidence) is turned into labels by a minimum cut
-// (sculpt/labels). On well-sampled surfaces the boundary of these labels is nearly a 2-manifold
-// through nearly all vertices as it stands. The few stars that are not good are mended
-// (sculpt/star_repair). Vertices that the cut left on one side, in thin or coarsely sampled places,
-// insist in further cuts; the surface moves to them by the paper's basic rules only, so that such a
-// vertex pulls the surface to itself and can't tear a false handle into it (sculpt/deform). Figures
-// of this and of other ways are in bench/RESULTS.md.
+// Guided sculpting. Tetrahedra whose circumspheres overlap deeply are labelled together
+// (sculpt/label_graph); labels spread from infinity as a first guess (sculpt/first_guess), which
+// tells each vertex's poles apart; all evidence (sculpt/evidence) is then weighed by a minimum cut
+// (sculpt/labels). On well-sampled surfaces the boundary of its labels is a 2-manifold through all
+// vertices as it stands. Elsewhere the few stars that are not good are mended (sculpt/star_search),
+// and vertices that the cut left on one side, in thin or coarsely sampled places, insist in further
+// cuts; the surface moves to them by the paper's basic rules, so that such a vertex pulls the
+// surface to itself and can't tear a false handle into it (sculpt/deform). Only where these rules
+// are stuck a search flips other tetrahedra, too. Figures of this and of other ways are in
+// bench/RESULTS.md.
 #include "sculpt/sculpt_guided.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "kernel/vertex_stars.h"
@@ -14,19 +18,53 @@
 #include "sculpt/circumspheres.h"
 #include "sculpt/deform.h"
 #include "sculpt/evidence.h"
+#include "sculpt/first_guess.h"
+#include "sculpt/label_graph.h"
 #include "sculpt/labels.h"
-#include "sculpt/star_repair.h"
+#include "sculpt/poles.h"
+#include "sculpt/star_fill.h"
+#include "sculpt/star_search.h"
 
 namespace tetsculpt {
 
 namespace {
 
-/// Moves a surface to the wanted labels and through the vertices it does not reach yet.
-Boundary moved(Boundary boundary, const Flags& wanted, FlipOrder order, const VertexStars& stars,
-               const Circumspheres& spheres) {
-  deform_towards(boundary, spheres, wanted, order);
-  expose_hidden(boundary, stars, spheres);
-  return boundary;
+/// Searches for one vertex, in this order until one succeeds.
+constexpr StarSearch::Limits kSearches[] = {{64, Keep::kTopology},
+                                            {1024, Keep::kTopology},
+                                            {256, Keep::kNothing},
+                                            {4096, Keep::kNothing},
+                                            {65536, Keep::kNothing}};
+/// Up to one hidden vertex in so many is brought out without new labels, if single flips do it.
+constexpr std::size_t kManyPerFewHidden = 1024;
+constexpr std::size_t kMendFlips = 200'000;
+
+bool is_empty(const TetComplex& complex, const Flags& solid) {
+  return std::find(solid.begin(), solid.end(), 1) == solid.end() && complex.finite_tet_count() > 0;
+}
+
+/// The labels with all stars good.
+Boundary mended(const TetComplex& complex, const VertexStars& stars, const Evidence& evidence,
+                Flags labels) {
+  // Where nothing at all is believed inside, as on a sheet, sculpting starts from the hull.
+  if (is_empty(complex, labels)) return Boundary(complex);
+  Boundary boundary(complex, std::move(labels));
+  if (StarSearch(boundary, stars, evidence).mend_bad({kMendFlips, Keep::kNothing})) {
+    return boundary;
+  }
+  Flags filled = boundary.solid();
+  fill_bad_stars(complex, stars, filled);
+  return Boundary(complex, std::move(filled));
+}
+
+void search_hidden(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
+  if (boundary.hidden_count() == 0) return;
+  StarSearch search(boundary, stars, evidence);
+  for (const StarSearch::Limits& limits : kSearches) {
+    for (const VertexId v : boundary.hidden_vertices()) {
+      if (!boundary.on_boundary(v)) search.expose(v, limits);
+    }
+  }
 }
 
 }  // namespace
@@ -36,28 +74,32 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   const auto progress = [&](double done) {
     if (options.progress) options.progress(done);
   };
-  const VertexStars stars(complex);
   const Circumspheres spheres(points, complex);
-  Evidence evidence = weigh_evidence(points, complex, stars, spheres, egh_triangles);
-  progress(0.4);
-  Labels labels = cut_labels(complex, stars, evidence);
+  const LargeArray<PolePair> pairs = poles(points, complex, spheres);
+  LargeArray<float> overlap = overlaps(complex, spheres);
+  progress(0.3);
+  const LabelGraph graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  const LargeArray<Side> guess = first_guess(graph, overlap, pairs);
+  progress(0.5);
+  Evidence evidence =
+      weigh_evidence(points, complex, spheres, pairs, graph, guess, overlap, egh_triangles);
   progress(0.7);
-  repair_stars(complex, stars, evidence, labels.likely);
-  progress(0.8);
-  Boundary boundary = moved(Boundary(complex, std::move(labels.likely)), labels.wanted,
-                            FlipOrder::kSmallestFirst, stars, spheres);
-  const auto try_from = [&](Boundary start) {
-    if (boundary.hidden_count() == 0) return;
-    start = moved(std::move(start), labels.wanted, FlipOrder::kLargestFirst, stars, spheres);
-    if (start.hidden_count() < boundary.hidden_count()) boundary = std::move(start);
-  };
-  if (boundary.hidden_count() > 0) {
-    const Boundary hull(complex);
-    Boundary filled = boundary;
-    deform_towards(filled, spheres, hull.solid(), FlipOrder::kSmallestFirst);
-    try_from(std::move(filled));
-    try_from(hull);
+  CutLabels cut = cut_labels(complex, graph, evidence);
+  progress(0.9);
+  if (cut.faults.hidden.empty() && cut.faults.bad.empty()) return {.solid = std::move(cut.inside)};
+
+  if (cut.faults.bad.empty() && cut.faults.hidden.size() <= points.size() / kManyPerFewHidden &&
+      expose_hidden(complex, spheres, cut.faults.hidden, cut.inside).empty()) {
+    return {.solid = std::move(cut.inside)};
   }
+  const VertexStars stars(complex);
+  RefinedLabels labels = refined_labels(complex, stars, cut.faults, evidence);
+  Boundary boundary = mended(complex, stars, evidence, std::move(labels.likely));
+  deform_towards(boundary, spheres, labels.wanted, FlipOrder::kSmallestFirst);
+  Flags solid = boundary.solid();
+  expose_hidden(complex, spheres, boundary.hidden_vertices(), solid);
+  boundary = Boundary(complex, std::move(solid));
+  search_hidden(boundary, stars, evidence);
   return {.solid = boundary.solid(), .hidden = boundary.hidden_vertices()};
 }
 
