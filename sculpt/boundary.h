@@ -31,6 +31,8 @@ class Boundary {
   bool on_boundary(TriangleId t) const { return triangle_[+t] != 0; }
   bool on_boundary(EdgeId e) const { return triangles_at_edge_[+e] != 0; }
   bool on_boundary(VertexId v) const { return triangles_at_vertex_[+v] != 0; }
+  /// How many boundary triangles hold the vertex.
+  std::size_t triangles_at(VertexId v) const { return triangles_at_vertex_[+v]; }
   /// Vertices that are not on the boundary: all their tetrahedra are solid, or none is.
   std::size_t hidden_count() const { return hidden_; }
   std::vector<VertexId> hidden_vertices() const;

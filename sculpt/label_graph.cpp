@@ -13,6 +13,9 @@ namespace {
 /// Cosine of the angle at which spheres meet from which they count as one.
 constexpr float kSameSide = 0.99f;
 
+/// One contradicted vertex in so many is not worth a second look.
+constexpr std::size_t kTolerated = 1024;
+
 /// Calls visit with each triangle and the tetrahedra on its two sides, of which the first is
 /// finite.
 template <class Visit>
@@ -84,6 +87,26 @@ LabelGraph label_graph(const TetComplex& complex, std::span<const float> overlap
     graph.arcs[back] = {a, there, t};
   });
   return graph;
+}
+
+Flags contradicted_tets(const TetComplex& complex, const LabelGraph& graph,
+                        std::span<const PolePair> pairs) {
+  Flags contradicted(pairs.size(), 0);
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < pairs.size(); ++v) {
+    const PolePair& pair = pairs[v];
+    contradicted[v] =
+        pair.strength > 0 && graph.node_of_tet[+pair.first] == graph.node_of_tet[+pair.second];
+    count += contradicted[v];
+  }
+  Flags flags(complex.tet_count(), 0);
+  if (count <= pairs.size() / kTolerated) return flags;
+  for (std::uint32_t t = 0; t < complex.tet_count(); ++t) {
+    for (const VertexId v : complex.vertices(TetId{t})) {
+      if (v != kInfinite && contradicted[+v]) flags[t] = 1;
+    }
+  }
+  return flags;
 }
 
 }  // namespace tetsculpt

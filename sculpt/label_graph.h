@@ -8,6 +8,7 @@
 #include "kernel/ids.h"
 #include "kernel/large_array.h"
 #include "kernel/tet_complex.h"
+#include "sculpt/poles.h"
 
 /// Sets of tetrahedra that get one label, and the facets between them.
 namespace tetsculpt {
@@ -39,5 +40,11 @@ struct LabelGraph {
 /// sculpt/circumspheres.h. Nodes are numbered by their first tetrahedra.  Cost: near linear.
 LabelGraph label_graph(const TetComplex& complex, std::span<const float> overlap,
                        const Flags& alone);
+
+/// Flags the tetrahedra at the vertices whose two poles got into one node, as happens where
+/// sampling is coarse or uneven: they had better stay alone. No flag at all where this concerns
+/// less than one vertex in a thousand.
+Flags contradicted_tets(const TetComplex& complex, const LabelGraph& graph,
+                        std::span<const PolePair> pairs);
 
 }  // namespace tetsculpt

@@ -129,11 +129,11 @@ void drop_unsupported_parts(const LabelGraph& graph, const Flags& at_first, Flag
 /// Takes nodes apart around faulty vertices and cuts again while poles insist.
 class Refinement {
  public:
-  Refinement(const TetComplex& complex, const VertexStars& stars, Evidence& evidence)
+  Refinement(const TetComplex& complex, const VertexStars& stars, Flags alone, Evidence& evidence)
       : complex_(complex),
         stars_(stars),
         evidence_(evidence),
-        alone_(complex.tet_count(), 0),
+        alone_(std::move(alone)),
         insistence_(complex.vertex_count(), kInsistence) {}
 
   RefinedLabels run(const StarFaults& coarse) {
@@ -205,9 +205,9 @@ CutLabels cut_labels(const TetComplex& complex, const LabelGraph& graph, const E
   return {expanded(graph, cut.inside()), cut.faults()};
 }
 
-RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars,
+RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars, Flags alone,
                              const StarFaults& faults, Evidence& evidence) {
-  return Refinement(complex, stars, evidence).run(faults);
+  return Refinement(complex, stars, std::move(alone), evidence).run(faults);
 }
 
 }  // namespace tetsculpt

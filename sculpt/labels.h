@@ -31,9 +31,9 @@ struct RefinedLabels {
   Flags wanted;
 };
 
-/// Cuts again with single tetrahedra as nodes around these faults, and again while poles of hidden
-/// vertices insist. Adds to `evidence.inside_bias` what they insist on.
-RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars,
+/// Cuts again with single tetrahedra as nodes around these faults and where `alone` flags them, and
+/// again while poles of hidden vertices insist. Adds to `evidence.inside_bias` what they insist on.
+RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars, Flags alone,
                              const StarFaults& faults, Evidence& evidence);
 
 }  // namespace tetsculpt

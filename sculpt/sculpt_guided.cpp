@@ -19,6 +19,7 @@
 #include "sculpt/deform.h"
 #include "sculpt/evidence.h"
 #include "sculpt/first_guess.h"
+#include "sculpt/flip_walk.h"
 #include "sculpt/label_graph.h"
 #include "sculpt/labels.h"
 #include "sculpt/poles.h"
@@ -29,12 +30,10 @@ namespace tetsculpt {
 
 namespace {
 
-/// Searches for one vertex, in this order until one succeeds.
-constexpr StarSearch::Limits kSearches[] = {{64, Keep::kTopology},
-                                            {1024, Keep::kTopology},
-                                            {256, Keep::kNothing},
-                                            {4096, Keep::kNothing},
-                                            {65536, Keep::kNothing}};
+/// Steps of walks that keep the topology, and flips of searches that need not, in this order until
+/// one brings the vertex out.
+constexpr std::size_t kWalks[] = {100, 2000};
+constexpr std::size_t kSearches[] = {256, 4096, 65536};
 /// Up to one hidden vertex in so many is brought out without new labels, if single flips do it.
 constexpr std::size_t kManyPerFewHidden = 1024;
 constexpr std::size_t kMendFlips = 200'000;
@@ -49,7 +48,7 @@ Boundary mended(const TetComplex& complex, const VertexStars& stars, const Evide
   // Where nothing at all is believed inside, as on a sheet, sculpting starts from the hull.
   if (is_empty(complex, labels)) return Boundary(complex);
   Boundary boundary(complex, std::move(labels));
-  if (StarSearch(boundary, stars, evidence).mend_bad({kMendFlips, Keep::kNothing})) {
+  if (StarSearch(boundary, stars, evidence).mend_bad(kMendFlips)) {
     return boundary;
   }
   Flags filled = boundary.solid();
@@ -57,13 +56,22 @@ Boundary mended(const TetComplex& complex, const VertexStars& stars, const Evide
   return Boundary(complex, std::move(filled));
 }
 
+/// Calls expose with each vertex that is still hidden.
+template <class Expose>
+void for_hidden(const Boundary& boundary, Expose&& expose) {
+  for (const VertexId v : boundary.hidden_vertices()) {
+    if (!boundary.on_boundary(v)) expose(v);
+  }
+}
+
 void search_hidden(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
+  for (const std::size_t steps : kWalks) {
+    for_hidden(boundary, [&](VertexId v) { expose_by_walk(boundary, stars, v, steps); });
+  }
   if (boundary.hidden_count() == 0) return;
   StarSearch search(boundary, stars, evidence);
-  for (const StarSearch::Limits& limits : kSearches) {
-    for (const VertexId v : boundary.hidden_vertices()) {
-      if (!boundary.on_boundary(v)) search.expose(v, limits);
-    }
+  for (const std::size_t flips : kSearches) {
+    for_hidden(boundary, [&](VertexId v) { search.expose(v, flips); });
   }
 }
 
@@ -78,7 +86,11 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   const LargeArray<PolePair> pairs = poles(points, complex, spheres);
   LargeArray<float> overlap = overlaps(complex, spheres);
   progress(0.3);
-  const LabelGraph graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  LabelGraph graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  Flags alone = contradicted_tets(complex, graph, pairs);
+  if (std::find(alone.begin(), alone.end(), 1) != alone.end()) {
+    graph = label_graph(complex, overlap, alone);
+  }
   const LargeArray<Side> guess = first_guess(graph, overlap, pairs);
   progress(0.5);
   Evidence evidence =
@@ -93,7 +105,7 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
     return {.solid = std::move(cut.inside)};
   }
   const VertexStars stars(complex);
-  RefinedLabels labels = refined_labels(complex, stars, cut.faults, evidence);
+  RefinedLabels labels = refined_labels(complex, stars, std::move(alone), cut.faults, evidence);
   Boundary boundary = mended(complex, stars, evidence, std::move(labels.likely));
   deform_towards(boundary, spheres, labels.wanted, FlipOrder::kSmallestFirst);
   Flags solid = boundary.solid();

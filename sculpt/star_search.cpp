@@ -3,7 +3,7 @@
 // 1994), with a tabu list (F. Glover, "Tabu search", ORSA Journal on Computing 1, 1989): take a
 // vertex with a fault, flip the tetrahedron of its star that leaves the fewest faults, of several
 // the one that fits the evidence best; now and then any. A fault is a part too many in a star, or a
-// vertex that is hidden. Where the topology is to stay, so is the Euler characteristic.
+// vertex that is hidden.
 //
 // The walk is short where the basic rules alone are stuck: in 58,386 random small solids, all sets
 // of bench/quality.py and uniform noise of 10^5 points it brought out every vertex, most in 4
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "sculpt/energy.h"
 #include "sculpt/star_faults.h"
@@ -73,18 +72,13 @@ void StarSearch::flip(TetId t) {
   for (const VertexId v : boundary_.complex().vertices(t)) refresh(v);
 }
 
-std::int64_t StarSearch::euler_error() const {
-  return keep_topology_ ? std::abs(boundary_.euler_characteristic() - euler_goal_) : 0;
-}
-
-/// By how much a flip would change the number of faults and the error of the topology.
+/// By how much a flip would change the number of faults.
 int StarSearch::change_by(TetId t) {
-  std::int64_t change = -euler_error();
+  int change = 0;
   boundary_.flip(t);
   for (const VertexId v : boundary_.complex().vertices(t)) change += fault_of(v) - fault_[+v];
-  change += euler_error();
   boundary_.flip(t);
-  return static_cast<int>(change);
+  return change;
 }
 
 /// SplitMix64.
@@ -95,13 +89,6 @@ std::uint64_t StarSearch::random() {
   return x ^ (x >> 31);
 }
 
-/// One with a fault; where only the topology is wrong, one that was touched.
-VertexId StarSearch::next_vertex() {
-  if (!faulty_.empty()) return faulty_[random() % faulty_.size()];
-  const TetId t = path_[random() % path_.size()];
-  return boundary_.complex().vertices(t)[random() % 4];
-}
-
 TetId StarSearch::random_flip(VertexId v) {
   const auto star = stars_(v);
   const TetId t = star[random() % star.size()];
@@ -109,14 +96,13 @@ TetId StarSearch::random_flip(VertexId v) {
 }
 
 /// Barred tetrahedra are passed over, unless they lead to fewer faults than ever.
-TetId StarSearch::best_flip(VertexId v, std::int64_t least_total) {
-  const std::int64_t total = faults_ + euler_error();
+TetId StarSearch::best_flip(VertexId v, std::int64_t least_faults) {
   TetId best = kNoTet;
   std::pair<int, double> least{0, 0};
   for (const TetId t : stars_(v)) {
     if (!boundary_.complex().finite(t)) continue;
     const int change = change_by(t);
-    if (barred_until_[+t] > path_.size() && total + change >= least_total) continue;
+    if (barred_until_[+t] > path_.size() && faults_ + change >= least_faults) continue;
     if (best != kNoTet && change > least.first) continue;
     const std::pair<int, double> effect{
         change, flip_cost(boundary_.complex(), evidence_, boundary_.solid(), t)};
@@ -127,22 +113,22 @@ TetId StarSearch::best_flip(VertexId v, std::int64_t least_total) {
   return best;
 }
 
-bool StarSearch::search(const Limits& limits, std::uint64_t seed) {
+bool StarSearch::search(std::size_t flips, std::uint64_t seed) {
   random_state_ = seed;
   path_.clear();
-  std::int64_t least_total = faults_ + euler_error();
-  for (std::size_t step = 0; step < limits.flips && least_total > 0; ++step) {
-    const VertexId v = next_vertex();
-    const TetId t = random() % kNoise == 0 ? random_flip(v) : best_flip(v, least_total);
+  std::int64_t least_faults = faults_;
+  for (std::size_t step = 0; step < flips && least_faults > 0; ++step) {
+    const VertexId v = faulty_[random() % faulty_.size()];
+    const TetId t = random() % kNoise == 0 ? random_flip(v) : best_flip(v, least_faults);
     if (t == kNoTet) continue;
     flip(t);
     path_.push_back(t);
     barred_until_[+t] =
         static_cast<std::uint32_t>(path_.size() + kBarred + random() % (kBarred + 1));
-    least_total = std::min(least_total, faults_ + euler_error());
+    least_faults = std::min(least_faults, faults_);
   }
   for (const TetId t : path_) barred_until_[+t] = 0;
-  if (least_total == 0) {
+  if (least_faults == 0) {
     undo_needless();
     return true;
   }
@@ -168,17 +154,12 @@ void StarSearch::undo_needless() {
   }
 }
 
-bool StarSearch::mend_bad(const Limits& limits) {
-  keep_topology_ = false;
-  return faulty_.empty() || search(limits, 0);
-}
+bool StarSearch::mend_bad(std::size_t flips) { return faulty_.empty() || search(flips, 0); }
 
-bool StarSearch::expose(VertexId v, const Limits& limits) {
-  keep_topology_ = limits.keep == Keep::kTopology;
-  euler_goal_ = boundary_.euler_characteristic();
+bool StarSearch::expose(VertexId v, std::size_t flips) {
   may_hide_[+v] = 0;
   refresh(v);
-  if (search(limits, +v + 1)) return true;
+  if (search(flips, +v)) return true;
   may_hide_[+v] = 1;
   refresh(v);
   return false;

@@ -13,35 +13,26 @@
 /// Local search for flips that make stars good and bring hidden vertices to the surface.
 namespace tetsculpt {
 
-/// What a search may not change.
-enum class Keep { kTopology, kNothing };
-
 /// Flips tetrahedra, whether the basic rules allow it or not, until all stars that it touched are
-/// good again. Keeps references to its arguments; nobody else may change the boundary meanwhile.
+/// good again: the topology of the surface may change. Keeps references to its arguments; nobody
+/// else may change the boundary meanwhile.
 class StarSearch {
  public:
   StarSearch(Boundary& boundary, const VertexStars& stars, const Evidence& evidence);
 
-  /// How many flips a search may make.
-  struct Limits {
-    std::size_t flips = 0;
-    Keep keep = Keep::kNothing;
-  };
-  /// Makes all bad stars good. Vertices that are hidden may stay so, and no others are. On failure,
-  /// false, nothing has changed.
-  bool mend_bad(const Limits& limits);
-  /// Brings a hidden vertex to the surface: all stars are good as before, and no other vertex is
-  /// hidden that was not. On failure, false, nothing has changed.
-  bool expose(VertexId v, const Limits& limits);
+  /// Makes all bad stars good by at most so many flips. Vertices that are hidden may stay so, and
+  /// no others are. On failure, false, nothing has changed.
+  bool mend_bad(std::size_t flips);
+  /// Brings a hidden vertex to the surface by at most so many flips: all stars are good as before,
+  /// and no other vertex is hidden that was not. On failure, false, nothing has changed.
+  bool expose(VertexId v, std::size_t flips);
 
  private:
   int fault_of(VertexId v);
   void refresh(VertexId v);
   void flip(TetId t);
   int change_by(TetId t);
-  std::int64_t euler_error() const;
-  bool search(const Limits& limits, std::uint64_t seed);
-  VertexId next_vertex();
+  bool search(std::size_t flips, std::uint64_t seed);
   TetId best_flip(VertexId v, std::int64_t least_total);
   TetId random_flip(VertexId v);
   void undo_needless();
@@ -58,8 +49,6 @@ class StarSearch {
   std::int64_t faults_ = 0;                 ///< sum of fault_
   LargeArray<std::uint32_t> barred_until_;  ///< per tetrahedron, a number of flips
   std::vector<TetId> path_;                 ///< the search's flips so far
-  bool keep_topology_ = false;
-  std::int64_t euler_goal_ = 0;
   std::uint64_t random_state_ = 0;
 };
 
