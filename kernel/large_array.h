@@ -7,6 +7,22 @@
 /// Arrays with an element per simplex, in memory that the system backs with large pages.
 namespace tetsculpt {
 
+/// While one lives, memory of large arrays that are freed on this thread is kept for the next ones
+/// instead of going back to the system, which would clear it again. Where several live, the first
+/// one counts. Frees what is left when it goes.
+class LargeArrayReuse {
+ public:
+  LargeArrayReuse();
+  ~LargeArrayReuse();
+  LargeArrayReuse(const LargeArrayReuse&) = delete;
+  LargeArrayReuse& operator=(const LargeArrayReuse&) = delete;
+
+ private:
+  std::vector<void*> kept_;
+  friend void* allocate_large(std::size_t bytes);
+  friend void free_large(void* memory) noexcept;
+};
+
 /// Memory for at least `bytes` bytes, in large pages where the system has them. Throws
 /// std::bad_alloc.
 void* allocate_large(std::size_t bytes);

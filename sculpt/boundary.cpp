@@ -99,6 +99,7 @@ Exposure exposure(const Boundary& boundary, TetId t) {
 std::vector<std::array<VertexId, 3>> boundary_triangles(const TetComplex& complex,
                                                         const Flags& solid) {
   std::vector<std::array<VertexId, 3>> triangles;
+  triangles.reserve(2 * complex.vertex_count());
   for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
     if (!solid[t]) continue;
     const auto& v = complex.vertices(TetId{t});

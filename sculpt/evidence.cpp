@@ -21,7 +21,7 @@ namespace tetsculpt {
 namespace {
 
 constexpr double kPoleWeight = 0.2;
-constexpr double kNormalWeight = 0.3;
+constexpr double kNormalWeight = 0.4;
 constexpr float kFacetWeight = 0.02f;
 constexpr float kEghFactor = 0.85f;
 

@@ -66,6 +66,7 @@ class GraphCut {
 
   StarFaults faults() const {
     std::vector<std::array<VertexId, 3>> triangles;
+    triangles.reserve(2 * complex_.vertex_count());
     for (LabelGraph::Node x = 1; x < graph_.node_count(); ++x) {
       if (!(*inside_)[x]) continue;
       for (const LabelGraph::Arc& arc : graph_.arcs_of(x)) {
@@ -129,7 +130,8 @@ void drop_unsupported_parts(const LabelGraph& graph, const Flags& at_first, Flag
 /// Takes nodes apart around faulty vertices and cuts again while poles insist.
 class Refinement {
  public:
-  Refinement(const TetComplex& complex, const VertexStars& stars, Flags alone, Evidence& evidence)
+  Refinement(const TetComplex& complex, const VertexStars& stars, Flags alone,
+             const Evidence& evidence)
       : complex_(complex),
         stars_(stars),
         evidence_(evidence),
@@ -154,6 +156,7 @@ class Refinement {
       }
       if (round == kRounds || !insist(faults.hidden, cut)) break;
     }
+    labels.first = expanded(graph_, at_first);
     labels.wanted = expanded(graph_, cut.inside());
     drop_unsupported_parts(graph_, at_first, best);
     labels.likely = expanded(graph_, best);
@@ -182,7 +185,6 @@ class Refinement {
       if (!complex_.finite(pole)) continue;
       const double bias = towards_inside ? insistence_[+v] : -insistence_[+v];
       insistence_[+v] *= 2;
-      evidence_.inside_bias[+pole] += static_cast<float>(bias);
       cut.insist(pole, bias);
       any = true;
     }
@@ -191,7 +193,7 @@ class Refinement {
 
   const TetComplex& complex_;
   const VertexStars& stars_;
-  Evidence& evidence_;
+  const Evidence& evidence_;
   Flags alone_;
   LabelGraph graph_;
   std::vector<double> insistence_;
@@ -206,7 +208,7 @@ CutLabels cut_labels(const TetComplex& complex, const LabelGraph& graph, const E
 }
 
 RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars, Flags alone,
-                             const StarFaults& faults, Evidence& evidence) {
+                             const StarFaults& faults, const Evidence& evidence) {
   return Refinement(complex, stars, std::move(alone), evidence).run(faults);
 }
 

@@ -24,6 +24,8 @@ CutLabels cut_labels(const TetComplex& complex, const LabelGraph& graph, const E
 
 /// Labels by a series of cuts, per tetrahedron as above.
 struct RefinedLabels {
+  /// Before any pole insisted.
+  Flags first;
   /// Nearest to a surface: few vertices have all their tetrahedra on one side, few stars are bad.
   Flags likely;
   /// The least energy once the poles of vertices that had all their tetrahedra on one side
@@ -32,8 +34,8 @@ struct RefinedLabels {
 };
 
 /// Cuts again with single tetrahedra as nodes around these faults and where `alone` flags them, and
-/// again while poles of hidden vertices insist. Adds to `evidence.inside_bias` what they insist on.
+/// again while poles of hidden vertices insist.
 RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars, Flags alone,
-                             const StarFaults& faults, Evidence& evidence);
+                             const StarFaults& faults, const Evidence& evidence);
 
 }  // namespace tetsculpt

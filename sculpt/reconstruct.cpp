@@ -9,6 +9,7 @@
 #include "kernel/emst.h"
 #include "kernel/first_simplex.h"
 #include "kernel/gabriel.h"
+#include "kernel/large_array.h"
 #include "sculpt/sculpt_guided.h"
 #include "sculpt/sculpt_paper.h"
 
@@ -39,17 +40,22 @@ std::size_t count(const Flags& flags) {
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
 }
 
-Constraints constraints(std::span<const Point3> points, const TetComplex& complex, int threads,
-                        Reconstruction::Counts& counts) {
-  const Flags gabriel = gabriel_edges(points, complex, threads);
-  const auto tree = emst(complex, edges_by_length(points, complex, gabriel));
+/// The graphs. Guided sculpting needs no edges of the EMST, only their number, which is known.
+Constraints constraints(std::span<const Point3> points, const TetComplex& complex,
+                        const ReconstructOptions& options, Reconstruction::Counts& counts) {
+  const Flags gabriel = gabriel_edges(points, complex, options.threads);
   Egh egh = extended_gabriel_hypergraph(points, complex, gabriel);
   counts.gabriel_edges = count(gabriel);
-  counts.emst_edges = tree.size();
+  counts.emst_edges = points.size() - 1;
   counts.egh_edges = count(egh.edges);
   counts.egh_triangles = count(egh.triangles);
-  Constraints result{std::move(egh.triangles), Flags(complex.edge_count(), 0)};
-  for (const EdgeId e : tree) result.emst_edges[+e] = 1;
+  Constraints result{std::move(egh.triangles), {}};
+  if (options.method == Method::kPaper) {
+    result.emst_edges.assign(complex.edge_count(), 0);
+    for (const EdgeId e : emst(complex, edges_by_length(points, complex, gabriel))) {
+      result.emst_edges[+e] = 1;
+    }
+  }
   return result;
 }
 
@@ -83,7 +89,9 @@ void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
     }
     out.vertex_of_input[i] = index[+v];
   }
-  for (const auto& [a, b, c] : boundary_triangles(complex, sculpture.solid)) {
+  const auto triangles = boundary_triangles(complex, sculpture.solid);
+  out.mesh.triangles.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
     out.mesh.triangles.push_back({index[+a], index[+b], index[+c]});
   }
 }
@@ -91,6 +99,7 @@ void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
 }  // namespace
 
 Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOptions& options) {
+  const LargeArrayReuse reuse;
   Reconstruction out;
   Stopwatch watch;
   const DistinctPoints distinct = distinct_points(points);
@@ -103,7 +112,7 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
   if (out.span != Span::kSolid) return out;
 
   stage_progress(options, "graphs");
-  const Constraints held_back = constraints(distinct.points, complex, options.threads, out.counts);
+  const Constraints held_back = constraints(distinct.points, complex, options, out.counts);
   out.seconds.graphs = watch.lap();
 
   const Sculpture sculpture = sculpt(distinct.points, complex, held_back, options);

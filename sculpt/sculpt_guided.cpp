@@ -17,6 +17,7 @@
 #include "sculpt/boundary.h"
 #include "sculpt/circumspheres.h"
 #include "sculpt/deform.h"
+#include "sculpt/energy.h"
 #include "sculpt/evidence.h"
 #include "sculpt/first_guess.h"
 #include "sculpt/flip_walk.h"
@@ -32,28 +33,26 @@ namespace {
 
 /// Steps of walks that keep the topology, and flips of searches that need not, in this order until
 /// one brings the vertex out.
-constexpr std::size_t kWalks[] = {100, 2000};
+constexpr std::size_t kWalks[] = {100, 2000, 20000};
+constexpr std::size_t kMostSteps = 500'000;  ///< of all walks of one length
 constexpr std::size_t kSearches[] = {256, 4096, 65536};
 /// Up to one hidden vertex in so many is brought out without new labels, if single flips do it.
 constexpr std::size_t kManyPerFewHidden = 1024;
+/// With more than one hidden vertex in so many, as in noise or on open sheets, labels are no
+/// surface to start from: the convex hull is.
+constexpr std::size_t kManyPerManyHidden = 8;
 constexpr std::size_t kMendFlips = 200'000;
 
-bool is_empty(const TetComplex& complex, const Flags& solid) {
-  return std::find(solid.begin(), solid.end(), 1) == solid.end() && complex.finite_tet_count() > 0;
+/// Makes all stars good.
+void mend(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
+  if (StarSearch(boundary, stars, evidence).mend_bad(kMendFlips)) return;
+  Flags filled = boundary.solid();
+  fill_bad_stars(boundary.complex(), stars, filled);
+  boundary = Boundary(boundary.complex(), std::move(filled));
 }
 
-/// The labels with all stars good.
-Boundary mended(const TetComplex& complex, const VertexStars& stars, const Evidence& evidence,
-                Flags labels) {
-  // Where nothing at all is believed inside, as on a sheet, sculpting starts from the hull.
-  if (is_empty(complex, labels)) return Boundary(complex);
-  Boundary boundary(complex, std::move(labels));
-  if (StarSearch(boundary, stars, evidence).mend_bad(kMendFlips)) {
-    return boundary;
-  }
-  Flags filled = boundary.solid();
-  fill_bad_stars(complex, stars, filled);
-  return Boundary(complex, std::move(filled));
+bool few_hidden(std::size_t hidden, std::size_t vertices) {
+  return hidden <= vertices / kManyPerManyHidden;
 }
 
 /// Calls expose with each vertex that is still hidden.
@@ -66,6 +65,7 @@ void for_hidden(const Boundary& boundary, Expose&& expose) {
 
 void search_hidden(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
   for (const std::size_t steps : kWalks) {
+    if (steps * boundary.hidden_count() > kMostSteps) break;
     for_hidden(boundary, [&](VertexId v) { expose_by_walk(boundary, stars, v, steps); });
   }
   if (boundary.hidden_count() == 0) return;
@@ -106,13 +106,30 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   }
   const VertexStars stars(complex);
   RefinedLabels labels = refined_labels(complex, stars, std::move(alone), cut.faults, evidence);
-  Boundary boundary = mended(complex, stars, evidence, std::move(labels.likely));
-  deform_towards(boundary, spheres, labels.wanted, FlipOrder::kSmallestFirst);
-  Flags solid = boundary.solid();
-  expose_hidden(complex, spheres, boundary.hidden_vertices(), solid);
-  boundary = Boundary(complex, std::move(solid));
-  search_hidden(boundary, stars, evidence);
-  return {.solid = boundary.solid(), .hidden = boundary.hidden_vertices()};
+  const auto surface_from = [&](Flags start) {
+    Boundary boundary(complex, std::move(start));
+    if (few_hidden(boundary.hidden_count(), points.size())) {
+      mend(boundary, stars, evidence);
+      deform_towards(boundary, spheres, labels.wanted, FlipOrder::kSmallestFirst);
+    } else {
+      boundary = Boundary(complex);
+      deform_towards(boundary, spheres, labels.wanted, FlipOrder::kLargestFirst);
+    }
+    Flags solid = boundary.solid();
+    expose_hidden(complex, spheres, boundary.hidden_vertices(), solid);
+    boundary = Boundary(complex, std::move(solid));
+    search_hidden(boundary, stars, evidence);
+    return boundary;
+  };
+  const auto quality = [&](const Boundary& boundary) {
+    return std::pair(boundary.hidden_count(), energy(complex, evidence, boundary.solid()));
+  };
+  Boundary best = surface_from(std::move(labels.likely));
+  if (few_hidden(cut.faults.hidden.size(), points.size())) {
+    Boundary plain = surface_from(std::move(labels.first));
+    if (quality(plain) < quality(best)) best = std::move(plain);
+  }
+  return {.solid = best.solid(), .hidden = best.hidden_vertices()};
 }
 
 }  // namespace tetsculpt
