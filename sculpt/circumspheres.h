@@ -10,7 +10,8 @@
 #include "kernel/vec3.h"
 
 /// The spheres around the tetrahedra, whose centres are the Voronoi vertices. In floating point:
-/// they are evidence, never a decision about the complex.
+/// they are evidence, never a decision about the complex. Their rounding depends on the order of a
+/// tetrahedron's corners, which lifted_hull makes a function of the points.
 namespace tetsculpt {
 
 class Circumspheres {

@@ -44,7 +44,7 @@ class Walk {
       boundary_.flip(region_[k]);
       path_.push_back(region_[k]);
       barred_until_[k] = step + kBarred + static_cast<std::uint32_t>(random() % (kBarred + 1));
-      if (boundary_.hidden_count() == hidden_goal_ && boundary_.on_boundary(v_)) return true;
+      if (boundary_.hidden_count() <= hidden_goal_ && boundary_.on_boundary(v_)) return true;
     }
     std::for_each(path_.rbegin(), path_.rend(), [&](TetId t) { boundary_.flip(t); });
     return false;

@@ -8,8 +8,8 @@
 /// Brings a hidden vertex to the surface by many flips that keep the topology.
 namespace tetsculpt {
 
-/// Looks for a sequence of flips near a hidden vertex that ends with it on the boundary and with no
-/// other vertex hidden that was not before. Every flip keeps the boundary a 2-manifold of the same
+/// Looks for a sequence of flips near a hidden vertex that ends with it on the boundary and with
+/// fewer vertices hidden than before. Every flip keeps the boundary a 2-manifold of the same
 /// topology: the basic rules, and their reverse, which hides a vertex for a while. True if it
 /// succeeds; else nothing has changed. Cost: at most `steps` times the tetrahedra around the
 /// vertex's star.

@@ -130,6 +130,7 @@ bool StarSearch::search(std::size_t flips, std::uint64_t seed) {
   for (const TetId t : path_) barred_until_[+t] = 0;
   if (least_faults == 0) {
     undo_needless();
+    hold_exposed();
     return true;
   }
   std::for_each(path_.rbegin(), path_.rend(), [&](TetId t) { flip(t); });
@@ -150,6 +151,15 @@ void StarSearch::undo_needless() {
       if (change_by(t) != 0) continue;
       flip(t);
       any = true;
+    }
+  }
+}
+
+/// What came out on the way may not be hidden again.
+void StarSearch::hold_exposed() {
+  for (const TetId t : path_) {
+    for (const VertexId v : boundary_.complex().vertices(t)) {
+      if (boundary_.on_boundary(v)) may_hide_[+v] = 0;
     }
   }
 }

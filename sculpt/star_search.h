@@ -36,6 +36,7 @@ class StarSearch {
   TetId best_flip(VertexId v, std::int64_t least_total);
   TetId random_flip(VertexId v);
   void undo_needless();
+  void hold_exposed();
   std::uint64_t random();
 
   Boundary& boundary_;
