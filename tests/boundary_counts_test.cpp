@@ -1,8 +1,11 @@
-// The boundary's counts and the classification of tetrahedra, while removable ones go at random.
+// The boundary's counts and the classification of tetrahedra, while removable ones go at random, or
+// any are flipped.
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -105,18 +108,68 @@ TEST_CASE("the boundary starts as the convex hull") {
   }
 }
 
-TEST_CASE("any removals, removable or not, keep the counts") {
+/// Counts over the solid's facets, each of which is on the boundary if no other solid tetrahedron
+/// has it.
+void check_counts(const testing::Stages& s, const Boundary& boundary) {
+  std::map<testing::Corners, int> facets;
+  for (const TetId t : s.tets()) {
+    if (!boundary.solid(t)) continue;
+    for (const testing::Corners& c : testing::facets_of(s.complex.vertices(t))) ++facets[c];
+  }
+  std::erase_if(facets, [](const auto& entry) { return entry.second != 1; });
+  std::vector<std::size_t> triangles_at(s.complex.vertex_count(), 0);
+  std::set<testing::EndPoints> edges;
+  for (const auto& entry : facets) {
+    for (const VertexId v : entry.first) ++triangles_at[+v];
+    for (const testing::EndPoints& e : testing::edges_of(entry.first)) edges.insert(e);
+  }
+  std::size_t hidden = 0;
+  for (std::uint32_t v = 0; v < triangles_at.size(); ++v) {
+    hidden += triangles_at[v] == 0;
+    REQUIRE(boundary.triangles_at(VertexId{v}) == triangles_at[v]);
+  }
+  REQUIRE(boundary.hidden_count() == hidden);
+  const std::size_t simplices = triangles_at.size() - hidden + facets.size();
+  REQUIRE(boundary.euler_characteristic() ==
+          static_cast<std::int64_t>(simplices) - static_cast<std::int64_t>(edges.size()));
+}
+
+TEST_CASE("any flips, allowed or not, keep the counts") {
+  std::set<std::int64_t> characteristics;
+  for (const testing::NamedSet& set : testing::small_sets()) {
+    const testing::Stages s = testing::stages(set.points);
+    const std::vector<TetId> tets = s.tets();
+    point_sets::Random random(6);
+    Boundary boundary(s.complex);
+    for (int step = 0; step < 150; ++step) {
+      INFO(set, ", flips of seed 6, step ", step);
+      const TetId t = tets[random.below(tets.size())];
+      const bool before = boundary.solid(t);
+      boundary.flip(t);
+      REQUIRE(boundary.solid(t) != before);
+      check_counts(s, boundary);
+      const auto broken = broken_invariant(boundary);
+      REQUIRE_MESSAGE(!broken, *broken);
+      characteristics.insert(boundary.euler_characteristic());
+    }
+    const Boundary anew(s.complex, boundary.solid());
+    REQUIRE(anew.euler_characteristic() == boundary.euler_characteristic());
+    check_counts(s, anew);
+  }
+  CHECK(characteristics.size() > 20);
+}
+
+TEST_CASE("all tetrahedra removed in any order: nothing is left on the boundary") {
   const testing::Stages s = testing::stages(point_sets::uniform_cube(40, 9));
   point_sets::Random random(6);
   std::vector<TetId> order = s.tets();
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
   Boundary boundary(s.complex);
-  for (const TetId t : order) {
-    boundary.remove(t);
-    const auto broken = broken_invariant(boundary);
-    REQUIRE_MESSAGE(!broken, *broken);
-  }
+  CHECK(boundary.euler_characteristic() == 2);
+  for (const TetId t : order) boundary.remove(t);
   CHECK(boundary.hidden_count() == s.complex.vertex_count());
+  CHECK(boundary.euler_characteristic() == 0);
+  check_counts(s, boundary);
 }
 
 }  // namespace

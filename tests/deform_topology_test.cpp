@@ -13,8 +13,12 @@
 #include "sculpt/circumspheres.h"
 #include "sculpt/deform.h"
 #include "sculpt/evidence.h"
+#include "sculpt/first_guess.h"
+#include "sculpt/label_graph.h"
 #include "sculpt/labels.h"
-#include "sculpt/star_repair.h"
+#include "sculpt/poles.h"
+#include "sculpt/star_fill.h"
+#include "sculpt/star_search.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
 
@@ -29,10 +33,20 @@ std::vector<testing::NamedSet> all_sets() {
   return sets;
 }
 
-/// The complex with what deforming needs.
+/// The complex with what deforming needs, and what the evidence says.
 struct Scene {
   explicit Scene(const std::vector<Point3>& points)
-      : s(testing::stages(points)), stars(s.complex), spheres(s.points(), s.complex) {}
+      : s(testing::stages(points)), stars(s.complex), spheres(s.points(), s.complex) {
+    const LargeArray<PolePair> pairs = poles(s.points(), s.complex, spheres);
+    LargeArray<float> overlap = overlaps(s.complex, spheres);
+    const Flags alone(s.complex.tet_count(), 0);
+    const LabelGraph graph = label_graph(s.complex, overlap, alone);
+    const LargeArray<Side> guess = first_guess(graph, overlap, pairs);
+    evidence = weigh_evidence(s.points(), s.complex, spheres, pairs, graph, guess,
+                              std::move(overlap), s.constraints.egh_triangles);
+    const StarFaults faults = cut_labels(s.complex, graph, evidence).faults;
+    labels = refined_labels(s.complex, stars, alone, faults, evidence);
+  }
 
   Topology surface(const Boundary& boundary) const {
     TriangleMesh mesh{s.distinct.points, {}};
@@ -48,23 +62,25 @@ struct Scene {
     for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
     return inside;
   }
-  Evidence evidence() const {
-    return weigh_evidence(s.points(), s.complex, stars, spheres, s.constraints.egh_triangles);
+  /// The same labels or others, with good stars only.
+  Flags mended(const Flags& inside) const {
+    Boundary boundary(s.complex, inside);
+    if (StarSearch(boundary, stars, evidence).mend_bad(100000)) return boundary.solid();
+    Flags filled = inside;
+    fill_bad_stars(s.complex, stars, filled);
+    return filled;
   }
   /// The whole hull, good labels from the evidence, and random ones made good.
   std::vector<Flags> good_labels() const {
-    std::vector<Flags> good{Boundary(s.complex).solid()};
-    const Evidence fresh = evidence();
-    Evidence changed = fresh;
-    good.push_back(cut_labels(s.complex, stars, changed).likely);
-    for (const double share : {0.1, 0.4}) good.push_back(random_labels(share, 1));
-    for (Flags& labels : good) repair_stars(s.complex, stars, fresh, labels);
-    return good;
+    return {Boundary(s.complex).solid(), mended(labels.likely), mended(random_labels(0.1, 1)),
+            mended(random_labels(0.4, 1))};
   }
 
   testing::Stages s;
   VertexStars stars;
   Circumspheres spheres;
+  Evidence evidence;
+  RefinedLabels labels;
 };
 
 /// What a surface was, and that it still is that.
@@ -117,18 +133,20 @@ TEST_CASE("towards random labels, each tetrahedron once at most") {
 TEST_CASE("towards the labels that the evidence wants, and to hidden vertices") {
   for (const testing::NamedSet& set : all_sets()) {
     const Scene scene(set.points);
-    Evidence evidence = scene.evidence();
-    const Flags wanted = cut_labels(scene.s.complex, scene.stars, evidence).wanted;
     FlipOrder order = FlipOrder::kLargestFirst;  // for the hull, which comes first
     for (const Flags& labels : scene.good_labels()) {
       INFO(set, ", labels of seed 1");
       Boundary boundary(scene.s.complex, labels);
       const Kept kept(scene, boundary);
-      deform_towards(boundary, scene.spheres, wanted,
+      deform_towards(boundary, scene.spheres, scene.labels.wanted,
                      std::exchange(order, FlipOrder::kSmallestFirst));
       kept.check(boundary);
-      expose_hidden(boundary, scene.stars, scene.spheres);
+      Flags solid = boundary.solid();
+      const auto left =
+          expose_hidden(scene.s.complex, scene.spheres, boundary.hidden_vertices(), solid);
+      boundary = Boundary(scene.s.complex, solid);
       kept.check(boundary);
+      REQUIRE(boundary.hidden_vertices() == left);
     }
   }
 }

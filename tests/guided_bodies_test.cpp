@@ -78,7 +78,8 @@ TEST_CASE("torus: genus 1") {
 }
 
 TEST_CASE("double torus: genus 2") {
-  for (const double spacing : {0.12, 0.1, 0.08, 0.06}) {
+  // The limbs are 0.17 thick where they are thinnest.
+  for (const double spacing : {0.11, 0.1, 0.08, 0.06}) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
       INFO("spacing ", spacing, ", seed ", seed);
       const Topology t = topology(faultless(point_sets::double_torus(spacing, seed)));

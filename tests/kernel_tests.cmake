@@ -7,6 +7,7 @@ foreach(
   distinct_merge_test
   distinct_range_test
   distinct_invariant_test
+  large_array_test
   radix_sort_test
   disjoint_sets_test
   simplex_dimension_test

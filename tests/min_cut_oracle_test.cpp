@@ -2,11 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 #include <vector>
 
 #include "kernel/tet_complex.h"
+#include "sculpt/circumspheres.h"
+#include "sculpt/label_graph.h"
 #include "sculpt/min_cut.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
@@ -17,32 +22,43 @@ namespace {
 using Capacity = MinCut::Capacity;
 using point_sets::Random;
 
+/// A complex with a graph over it.
+struct Scene {
+  testing::Stages s;
+  LabelGraph graph;
+};
+
 /// Costs of a cut.
 struct Costs {
   std::vector<Capacity> facet;  ///< per triangle
-  std::vector<Capacity> bias;   ///< per finite tetrahedron, towards inside
+  std::vector<Capacity> bias;   ///< per node, towards inside; 0 for the outside
 };
 
-/// [Edmonds, Karp 1972] over an edge list; node n is the outside, n + 1 the inside.
+/// The nodes on the two sides of a triangle.
+std::array<std::size_t, 2> sides(const Scene& scene, std::uint32_t triangle) {
+  const Facet f = scene.s.complex.facet(TriangleId{triangle});
+  const auto& node = scene.graph.node_of_tet;
+  return {node[+f.tet], node[+scene.s.complex.neighbor(f.tet, f.corner)]};
+}
+
+/// [Edmonds, Karp 1972] over an edge list; node 0 is the outside, node n the inside.
 class Flow {
  public:
-  Flow(const TetComplex& complex, const Costs& costs)
-      : n_(complex.finite_tet_count()), arcs_at_(n_ + 2) {
-    const auto node = [&](TetId t) { return complex.finite(t) ? +t : n_; };
-    for (std::uint32_t k = 0; k < complex.triangle_count(); ++k) {
-      const Facet f = complex.facet(TriangleId{k});
-      join(+f.tet, node(complex.neighbor(f.tet, f.corner)), costs.facet[k], costs.facet[k]);
+  Flow(const Scene& scene, const Costs& costs) : n_(costs.bias.size()), arcs_at_(n_ + 1) {
+    for (std::uint32_t k = 0; k < costs.facet.size(); ++k) {
+      const auto [a, b] = sides(scene, k);
+      if (a != b) join(a, b, costs.facet[k], costs.facet[k]);
     }
-    for (std::size_t t = 0; t < n_; ++t) {
-      join(t, n_ + 1, std::max<Capacity>(costs.bias[t], 0), 0);
-      join(n_, t, std::max<Capacity>(-costs.bias[t], 0), 0);
+    for (std::size_t x = 1; x < n_; ++x) {
+      join(x, n_, std::max<Capacity>(costs.bias[x], 0), 0);
+      join(0, x, std::max<Capacity>(-costs.bias[x], 0), 0);
     }
     while (search()) value_ += augment();
   }
 
   Capacity value() const { return value_; }
   /// Not reachable from outside in the residual graph.
-  bool inside(std::size_t t) const { return arrived_by_[t] == kNone; }
+  bool inside(std::size_t x) const { return x != 0 && arrived_by_[x] == kNone; }
 
  private:
   struct Arc {
@@ -61,23 +77,23 @@ class Flow {
 
   /// Breadth first from outside; true if it arrives inside.
   bool search() {
-    arrived_by_.assign(n_ + 2, kNone);
-    std::deque<std::size_t> queue{n_};
+    arrived_by_.assign(n_ + 1, kNone);
+    std::deque<std::size_t> queue{0};
     while (!queue.empty()) {
       for (const std::size_t k : arcs_at_[queue.front()]) {
         const std::size_t to = arcs_[k].to;
-        if (arcs_[k].residual == 0 || to == n_ || arrived_by_[to] != kNone) continue;
+        if (arcs_[k].residual == 0 || to == 0 || arrived_by_[to] != kNone) continue;
         arrived_by_[to] = k;
         queue.push_back(to);
       }
       queue.pop_front();
     }
-    return arrived_by_[n_ + 1] != kNone;
+    return arrived_by_[n_] != kNone;
   }
 
   template <class Visit>
   void for_path(Visit&& visit) {
-    for (std::size_t x = n_ + 1; x != n_; x = arcs_[arrived_by_[x]].from) visit(arrived_by_[x]);
+    for (std::size_t x = n_; x != 0; x = arcs_[arrived_by_[x]].from) visit(arrived_by_[x]);
   }
 
   Capacity augment() {
@@ -97,14 +113,14 @@ class Flow {
   Capacity value_ = 0;
 };
 
-Capacity cost_of(const TetComplex& complex, const Costs& costs, const Flags& inside) {
+Capacity cost_of(const Scene& scene, const Costs& costs, const Flags& inside) {
   Capacity sum = 0;
-  for (std::uint32_t k = 0; k < complex.triangle_count(); ++k) {
-    const Facet f = complex.facet(TriangleId{k});
-    if (inside[+f.tet] != inside[+complex.neighbor(f.tet, f.corner)]) sum += costs.facet[k];
+  for (std::uint32_t k = 0; k < costs.facet.size(); ++k) {
+    const auto [a, b] = sides(scene, k);
+    if (inside[a] != inside[b]) sum += costs.facet[k];
   }
-  for (std::size_t t = 0; t < costs.bias.size(); ++t) {
-    sum += inside[t] ? std::max<Capacity>(-costs.bias[t], 0) : std::max<Capacity>(costs.bias[t], 0);
+  for (std::size_t x = 1; x < costs.bias.size(); ++x) {
+    sum += inside[x] ? std::max<Capacity>(-costs.bias[x], 0) : std::max<Capacity>(costs.bias[x], 0);
   }
   return sum;
 }
@@ -131,90 +147,126 @@ Capacity random_bias(Random& random, std::uint64_t kind) {
   return random.below(2) == 0 ? bias : -bias;
 }
 
-Costs random_costs(const TetComplex& complex, Random& random, std::uint64_t kind) {
+Costs random_costs(const Scene& scene, Random& random, std::uint64_t kind) {
   Costs costs;
-  for (std::size_t k = 0; k < complex.triangle_count(); ++k) {
+  for (std::size_t k = 0; k < scene.s.complex.triangle_count(); ++k) {
     costs.facet.push_back(random_capacity(random, kind));
   }
-  for (std::size_t t = 0; t < complex.finite_tet_count(); ++t) {
+  costs.bias.assign(1, 0);
+  while (costs.bias.size() < scene.graph.node_count()) {
     costs.bias.push_back(random_bias(random, kind / 5));
   }
   return costs;
 }
 
-MinCut min_cut(const TetComplex& complex, const Costs& costs) {
-  MinCut cut(complex);
-  for (std::uint32_t k = 0; k < complex.triangle_count(); ++k) {
-    cut.set_facet(TriangleId{k}, costs.facet[k]);
-  }
-  for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-    cut.add_inside_bias(TetId{t}, costs.bias[t]);
-  }
+MinCut min_cut(const LabelGraph& graph, const Costs& costs) {
+  LargeArray<Capacity> capacity;
+  for (const LabelGraph::Arc& arc : graph.arcs) capacity.push_back(costs.facet[+arc.triangle]);
+  MinCut cut(graph, std::move(capacity));
+  for (LabelGraph::Node x = 1; x < costs.bias.size(); ++x) cut.add_inside_bias(x, costs.bias[x]);
   return cut;
 }
 
-/// Least cost and the smallest outside, which together leave one answer.
-void check_cut(const TetComplex& complex, const Costs& costs, const Flags& inside) {
-  const Flow flow(complex, costs);
-  REQUIRE(inside.size() == complex.tet_count());
-  REQUIRE(cost_of(complex, costs, inside) == flow.value());
-  for (std::uint32_t t = 0; t < complex.tet_count(); ++t) {
-    REQUIRE((inside[t] != 0) == (complex.finite(TetId{t}) && flow.inside(t)));
+/// Changes the bias of less than `limit` nodes.
+void add_bias(Costs& costs, MinCut& cut, std::size_t limit, Random& random, std::uint64_t kind) {
+  for (std::size_t k = random.below(limit); k > 0 && costs.bias.size() > 1; --k) {
+    const std::size_t x = 1 + random.below(costs.bias.size() - 1);
+    const Capacity bias = random_bias(random, kind);
+    costs.bias[x] += bias;
+    cut.add_inside_bias(static_cast<LabelGraph::Node>(x), bias);
   }
 }
 
+/// Least cost and the smallest outside, which together leave one answer.
+void check_cut(const Scene& scene, const Costs& costs, const Flags& inside) {
+  const Flow flow(scene, costs);
+  REQUIRE(inside.size() == scene.graph.node_count());
+  REQUIRE(cost_of(scene, costs, inside) == flow.value());
+  for (std::size_t x = 0; x < inside.size(); ++x) REQUIRE((inside[x] != 0) == flow.inside(x));
+}
+
+enum class Nodes { kSingle, kOverlaps, kRandom };
+
+/// Every tetrahedron alone, joined where spheres overlap, or joined at random.
+Scene scene(const std::vector<Point3>& points, Nodes nodes, std::uint64_t seed) {
+  Scene scene{testing::stages(points), {}};
+  const TetComplex& complex = scene.s.complex;
+  LargeArray<float> overlap = overlaps(complex, Circumspheres(scene.s.points(), complex));
+  Random random(seed);
+  if (nodes == Nodes::kRandom) {
+    const double share = random.uniform(0, 0.5);
+    for (float& cosine : overlap) cosine = random.uniform() < share ? 1.0f : 0.0f;
+  }
+  scene.graph = label_graph(complex, overlap, Flags(complex.tet_count(), nodes == Nodes::kSingle));
+  return scene;
+}
+
+constexpr Nodes kAllNodes[] = {Nodes::kSingle, Nodes::kOverlaps, Nodes::kRandom};
+
 TEST_CASE("equal to the maximum flow, and again after every change of bias") {
+  std::size_t single = 0, merged = 0;
   for (const testing::NamedSet& set : testing::small_sets()) {
-    const testing::Stages s = testing::stages(set.points);
     for (std::uint64_t kind = 0; kind < 25; ++kind) {
-      INFO(set, ", capacities ", kind, ", seed ", kind);
+      const Nodes nodes = kAllNodes[kind % 3];
+      INFO(set, ", nodes ", static_cast<int>(nodes), ", capacities ", kind, ", seed ", kind);
+      const Scene at = scene(set.points, nodes, kind);
+      const std::size_t finite = at.s.complex.finite_tet_count();
+      ++(at.graph.node_count() == finite + 1 ? single : merged);
       Random random(kind);
-      Costs costs = random_costs(s.complex, random, kind);
-      MinCut cut = min_cut(s.complex, costs);
-      check_cut(s.complex, costs, cut.solve());
+      Costs costs = random_costs(at, random, kind);
+      MinCut cut = min_cut(at.graph, costs);
+      check_cut(at, costs, cut.solve());
       for (int round = 1; round <= 4; ++round) {
         INFO("round ", round);
-        for (std::size_t k = random.below(12); k > 0; --k) {
-          const std::size_t t = random.below(costs.bias.size());
-          const Capacity bias = random_bias(random, random.below(5));
-          costs.bias[t] += bias;
-          cut.add_inside_bias(TetId{static_cast<std::uint32_t>(t)}, bias);
-        }
-        check_cut(s.complex, costs, cut.solve());
+        add_bias(costs, cut, 12, random, random.below(5));
+        check_cut(at, costs, cut.solve());
       }
     }
   }
+  CHECK(single > 300);
+  CHECK(merged > 300);
 }
 
 TEST_CASE("many rounds: going on is the same as starting anew") {
-  const testing::Stages s = testing::stages(point_sets::uniform_cube(1000, 1));
-  for (const std::uint64_t kind : {0u, 6u, 12u, 18u, 24u, 9u}) {
-    INFO("box of 1000, seed 1, capacities ", kind, ", seed ", kind);
-    Random random(kind);
-    Costs costs = random_costs(s.complex, random, kind);
-    MinCut cut = min_cut(s.complex, costs);
-    for (int round = 0; round < 40; ++round) {
-      INFO("round ", round);
-      for (std::size_t k = random.below(100); k > 0; --k) {
-        const std::size_t t = random.below(costs.bias.size());
-        const Capacity bias = random_bias(random, kind);
-        costs.bias[t] += bias;
-        cut.add_inside_bias(TetId{static_cast<std::uint32_t>(t)}, bias);
+  for (const Nodes nodes : kAllNodes) {
+    const Scene at = scene(point_sets::uniform_cube(700, 1), nodes, 3);
+    for (const std::uint64_t kind : {0u, 6u, 12u, 18u, 24u, 9u}) {
+      INFO("box of 700, seed 1, nodes ", static_cast<int>(nodes), " of seed 3, capacities ", kind,
+           ", seed ", kind);
+      Random random(kind);
+      Costs costs = random_costs(at, random, kind);
+      MinCut cut = min_cut(at.graph, costs);
+      for (int round = 0; round < 20; ++round) {
+        INFO("round ", round);
+        add_bias(costs, cut, 100, random, kind);
+        REQUIRE(cut.solve() == min_cut(at.graph, costs).solve());
       }
-      REQUIRE(cut.solve() == min_cut(s.complex, costs).solve());
     }
   }
 }
 
 TEST_CASE("without bias everything is outside; with an overwhelming one nothing is") {
-  const testing::Stages s = testing::stages(point_sets::uniform_cube(100, 1));
-  Random random(1);
-  Costs costs = random_costs(s.complex, random, 1);
-  std::ranges::fill(costs.bias, 0);
-  MinCut cut = min_cut(s.complex, costs);
-  CHECK(std::ranges::count(cut.solve(), 0) == static_cast<long>(s.complex.tet_count()));
-  for (const TetId t : s.tets()) cut.add_inside_bias(t, Capacity{1} << 40);
-  CHECK(std::ranges::count(cut.solve(), 1) == static_cast<long>(s.complex.finite_tet_count()));
+  for (const Nodes nodes : kAllNodes) {
+    INFO("box of 100, seed 1, nodes ", static_cast<int>(nodes), " of seed 3");
+    const Scene at = scene(point_sets::uniform_cube(100, 1), nodes, 3);
+    Random random(1);
+    Costs costs = random_costs(at, random, 1);
+    std::ranges::fill(costs.bias, 0);
+    MinCut cut = min_cut(at.graph, costs);
+    const auto count = static_cast<std::ptrdiff_t>(at.graph.node_count());
+    REQUIRE(count > 10);
+    CHECK(std::ranges::count(cut.solve(), 0) == count);
+    for (LabelGraph::Node x = 1; x < at.graph.node_count(); ++x) {
+      cut.add_inside_bias(x, Capacity{1} << 40);
+    }
+    CHECK(std::ranges::count(cut.solve(), 1) == count - 1);
+  }
+}
+
+TEST_CASE("nothing but outside") {
+  const Scene at{{}, {{0}, {1}, {0, 0}, {}}};
+  const Flags outside{0};
+  CHECK(MinCut(at.graph, {}).solve() == outside);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/vertex_stars.h"
+#include "kernel/large_array.h"
 #include "sculpt/circumspheres.h"
 #include "sculpt/poles.h"
 #include "tests/support/point_sets.h"
@@ -22,7 +22,7 @@ struct Scene {
   explicit Scene(const std::vector<Point3>& points)
       : s(testing::stages(points)),
         spheres(s.points(), s.complex),
-        pairs(poles(s.points(), s.complex, VertexStars(s.complex), spheres)) {}
+        pairs(poles(s.points(), s.complex, spheres)) {}
 
   /// From the vertex to the circumcentre.
   Vec to_centre(VertexId v, TetId t) const {
@@ -31,7 +31,7 @@ struct Scene {
 
   testing::Stages s;
   Circumspheres spheres;
-  std::vector<PolePair> pairs;
+  LargeArray<PolePair> pairs;
 };
 
 /// Calls visit with every tetrahedron at v.
@@ -79,7 +79,9 @@ void check_second(const Scene& scene, VertexId v) {
   REQUIRE(std::ranges::count(scene.s.complex.vertices(pair.second), v) == 1);
   REQUIRE(scene.spheres.radius(pair.second) == largest);
   const Vec to = scene.to_centre(v, pair.second);
-  REQUIRE(pair.strength * length(to) == doctest::Approx(-dot(to, pair.axis)));
+  // In flat tetrahedra the centre is not as far from all corners, by rounding.
+  const double cosine = std::min(-dot(to, pair.axis) / largest, 1.0);
+  REQUIRE(pair.strength == doctest::Approx(cosine));
 }
 
 TEST_CASE("the farthest centre, and the farthest opposite to it") {

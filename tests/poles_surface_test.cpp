@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/vertex_stars.h"
+#include "kernel/large_array.h"
 #include "sculpt/circumspheres.h"
 #include "sculpt/poles.h"
 #include "tests/support/point_sets.h"
@@ -23,11 +23,11 @@ struct Scene {
   explicit Scene(const std::vector<Point3>& points)
       : s(testing::stages(points)),
         spheres(s.points(), s.complex),
-        pairs(poles(s.points(), s.complex, VertexStars(s.complex), spheres)) {}
+        pairs(poles(s.points(), s.complex, spheres)) {}
 
   testing::Stages s;
   Circumspheres spheres;
-  std::vector<PolePair> pairs;
+  LargeArray<PolePair> pairs;
 };
 
 Vec unit(const Vec& a) { return a * (1 / length(a)); }

@@ -12,8 +12,8 @@
 namespace tetsculpt {
 namespace {
 
-std::size_t differences_from_stable_sort(std::vector<KeyedIndex> items) {
-  std::vector<KeyedIndex> expected = items;
+std::size_t differences_from_stable_sort(LargeArray<KeyedIndex> items) {
+  LargeArray<KeyedIndex> expected = items;
   std::stable_sort(expected.begin(), expected.end(),
                    [](const KeyedIndex& a, const KeyedIndex& b) { return a.key < b.key; });
   radix_sort(items);
@@ -32,7 +32,7 @@ TEST_CASE("the same as a stable sort, whichever bits the keys use") {
     for (const std::size_t n : {0u, 1u, 2u, 3u, 100u, 5000u}) {
       const std::uint64_t seed = n + 1;
       point_sets::Random random(seed);
-      std::vector<KeyedIndex> items(n);
+      LargeArray<KeyedIndex> items(n);
       for (std::uint32_t i = 0; i < n; ++i) items[i] = {random.bits() & mask, i};
       CAPTURE(mask);
       CAPTURE(seed);
@@ -42,7 +42,7 @@ TEST_CASE("the same as a stable sort, whichever bits the keys use") {
 }
 
 TEST_CASE("sorted and reversed keys") {
-  std::vector<KeyedIndex> items;
+  LargeArray<KeyedIndex> items;
   for (std::uint32_t i = 0; i < 3000; ++i) items.push_back({std::uint64_t{i} << 20, i});
   CHECK(differences_from_stable_sort(items) == 0);
   std::reverse(items.begin(), items.end());

@@ -44,7 +44,7 @@ Stages stages(std::span<const Point3> input) {
   return stages(std::move(distinct), std::move(complex));
 }
 
-TetComplex renumbered(const TetComplex& complex, std::uint64_t seed) {
+TetComplex renumbered(const TetComplex& complex, std::uint64_t seed, CornerOrder corners) {
   point_sets::Random random(seed);
   std::vector<std::uint32_t> place(complex.tet_count());
   std::iota(place.begin(), place.end(), 0u);
@@ -53,8 +53,10 @@ TetComplex renumbered(const TetComplex& complex, std::uint64_t seed) {
     std::swap(place[i - 1], place[random.below(i)]);
   }
   // Corner i goes to the place i ^ turn: an even permutation.
-  std::vector<std::uint32_t> turn(complex.tet_count());
-  for (std::uint32_t& bits : turn) bits = static_cast<std::uint32_t>(random.below(4));
+  std::vector<std::uint32_t> turn(complex.tet_count(), 0);
+  if (corners == CornerOrder::kTurned) {
+    for (std::uint32_t& bits : turn) bits = static_cast<std::uint32_t>(random.below(4));
+  }
   LiftedHull hull;
   hull.finite_count = complex.finite_tet_count();
   hull.tets.resize(complex.tet_count());

@@ -31,9 +31,11 @@ Stages stages(std::span<const Point3> input);
 /// The same over a complex that is given.
 Stages stages(DistinctPoints distinct, TetComplex complex);
 
-/// The same complex with its tetrahedra numbered otherwise and the corners of each in another order
-/// of the same orientation.
-TetComplex renumbered(const TetComplex& complex, std::uint64_t seed);
+enum class CornerOrder { kKept, kTurned };
+/// The same complex with its tetrahedra numbered otherwise and, if they are to be turned, the
+/// corners of each in another order of the same orientation.
+TetComplex renumbered(const TetComplex& complex, std::uint64_t seed,
+                      CornerOrder corners = CornerOrder::kTurned);
 
 /// A point set with the words that make it anew, seed included.
 struct NamedSet {
