@@ -2,24 +2,28 @@
 """Reconstructs every set of a catalogue and prints a table of what came out.
 
   bench/quality.py --cli build/release/tetsculpt --data DATA --judge MESHCHECK [--method NAME]...
-                   [--kind mesh|raw|contours|paper]... [--only NAME]... [--samples N] [--keep DIR]
+                   [--kind mesh|raw|contours|paper]... [--only NAME]... [--samples N] [--volume] [--keep DIR]
 
 DATA holds catalog.json and the gzipped PLY files it names. MESHCHECK is the program that judges each
 mesh: called with MESH --points FILE [--truth MESH] --samples N, it prints one JSON object. A set whose
 true surface is known counts as right if the output is closed, manifold and oriented, holds every
-distinct point, and has the truth's number of components and genus. Needs Python 3 only.
+distinct point, and has the truth's number of components and genus. With --volume, what part of the
+truth's volume is on the wrong side, too (bench/volume_difference.py). Needs Python 3 only.
 
 Exit status 0; 1 if an output was not closed, manifold, oriented and facing outward, made of input points
-without degenerate or duplicate triangles; 2 without data. Points that an output lacks are in the table.
+without degenerate or duplicate triangles, or if one of guided sculpting lacked a point; 2 without data.
 """
 import argparse
 import gzip
 import json
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
 import time
+
+from volume_difference import volume_difference
 
 
 def arguments():
@@ -31,6 +35,7 @@ def arguments():
     parser.add_argument("--kind", action="append", default=[])
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--samples", type=int, default=20000)
+    parser.add_argument("--volume", action="store_true", help="measure the volume labelled wrongly")
     parser.add_argument("--keep", help="directory to leave the surfaces in")
     return parser.parse_args()
 
@@ -61,7 +66,10 @@ def judge(args, entry, points, surface, folder):
     truth = truth_of(entry)
     if truth:
         command += ["--truth", unzipped(os.path.join(args.data, truth), folder)]
-    return json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+    verdict = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+    if truth and args.volume:
+        verdict["volume_wrong"] = volume_difference(surface, command[-1])
+    return verdict
 
 
 def is_manifold(verdict):
@@ -83,15 +91,17 @@ def row(entry, verdict, seconds):
     truth = truth_of(entry)
     expected = f"{entry['components']}/{sum(entry['genus'])}" if truth else "-"
     distance = f"{verdict['d_mean']:.1e} {verdict['d_max']:.1e}" if truth else "      -       -"
+    wrong = f" {100 * verdict['volume_wrong']:6.2f}" if "volume_wrong" in verdict else ""
     mark = ("right" if is_right(entry, verdict) else "") if truth else ""
     return (f"{entry['name']:26} {entry['n']:7} {'yes' if is_sound(verdict) else 'NO':>5} "
             f"{verdict['components']}/{verdict['genus']:<5} {expected:>7} "
-            f"{100 * verdict['interpolated']:6.2f} {distance} {seconds:7.2f}  {mark}")
+            f"{100 * verdict['interpolated']:6.2f} {distance}{wrong} {seconds:7.2f}  {mark}")
 
 
 def run_method(args, method, entries, folder):
     print(f"\nmethod {method}\n{'set':26} {'points':>7} sound comp/genus truth  points%"
-          "  d_mean  d_max  seconds")
+          f"  d_mean  d_max {'volume% ' if args.volume else ''} seconds")
+    volumes = []
     manifold = sound = right = known = 0
     for entry in entries:
         points = unzipped(os.path.join(args.data, entry["file"]), folder)
@@ -102,6 +112,7 @@ def run_method(args, method, entries, folder):
             continue
         verdict = judge(args, entry, points, surface, folder)
         print(row(entry, verdict, seconds), flush=True)
+        volumes += [verdict["volume_wrong"]] if "volume_wrong" in verdict else []
         manifold += is_manifold(verdict)
         sound += is_sound(verdict)
         known += truth_of(entry) is not None
@@ -110,7 +121,10 @@ def run_method(args, method, entries, folder):
             os.remove(surface)
     print(f"{method}: of {len(entries)}, {manifold} closed, manifold and oriented, {sound} of them through "
           f"every point; {right} of {known} with the truth's components and genus")
-    return manifold == len(entries)
+    if volumes:
+        print(f"{method}: on the wrong side, in % of the truth's volume: mean {100 * statistics.mean(volumes):.3f}, "
+              f"median {100 * statistics.median(volumes):.4f}")
+    return (sound if method == "guided" else manifold) == len(entries)
 
 
 def main():
