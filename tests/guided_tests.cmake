@@ -6,6 +6,7 @@ foreach(
   deform_expose_test
   deform_rules_test
   deform_topology_test
+  first_guess_test
   flip_walk_test
   guided_bodies_test
   guided_nested_test

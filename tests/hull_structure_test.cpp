@@ -70,6 +70,12 @@ std::size_t unused_points(const LiftedHull& hull, std::size_t n) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
+/// Corners are in ascending order, infinity after all others, but for the last two.
+std::size_t unordered_facets(const LiftedHull& hull) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      hull.tets, [](const Corners& c) { return !(c[0] < c[1] && c[1] < std::min(c[2], c[3])); }));
+}
+
 /// The infinite facets close a sphere: Euler's relation on their triangles.
 bool hull_is_a_sphere(const LiftedHull& hull) {
   std::map<VertexId, int> vertices;
@@ -92,6 +98,7 @@ TEST_CASE("small and middling solids") {
     CHECK(hull.neighbors.size() == hull.tets.size());
     CHECK(unmatched_facets(hull) == 0);
     CHECK(misplaced_facets(hull, points) == 0);
+    CHECK(unordered_facets(hull) == 0);
     CHECK(unused_points(hull, points.size()) == 0);
     CHECK(hull_is_a_sphere(hull));
   }
