@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/hilbert_order.h"
 #include "kernel/large_array.h"
-#include "kernel/radix_sort.h"
 
 namespace tetsculpt {
 namespace {
@@ -68,25 +68,14 @@ int scale_exponent(const BinaryRange& range) {
   return std::clamp(0, lowest, highest);
 }
 
-/// Input indices in lexicographic order of their points, equal points by index.
-LargeArray<KeyedIndex> lexicographic_order(std::span<const Point3> points) {
-  LargeArray<KeyedIndex> order(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    order[i] = {ordered_bits(points[i].x), static_cast<std::uint32_t>(i)};
+LargeArray<Point3> scaled(std::span<const Point3> points, int exponent) {
+  LargeArray<Point3> result;
+  result.reserve(points.size());
+  for (const Point3& p : points) {
+    result.push_back(
+        {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)});
   }
-  radix_sort(order);
-  const auto less = [&](const KeyedIndex& a, const KeyedIndex& b) {
-    const Point3& p = points[a.index];
-    const Point3& q = points[b.index];
-    return p == q ? a.index < b.index : lexicographically_less(p, q);
-  };
-  for (auto first = order.begin(); first != order.end();) {
-    auto last = first + 1;
-    while (last != order.end() && last->key == first->key) ++last;
-    if (last - first > 1) std::sort(first, last, less);
-    first = last;
-  }
-  return order;
+  return result;
 }
 
 }  // namespace
@@ -97,12 +86,16 @@ DistinctPoints distinct_points(std::span<const Point3> points) {
   require_finite(points);
   const BinaryRange range = range_of(points);
   if (range.top > range.unit) result.scale_exponent = scale_exponent(range);
+  LargeArray<Point3> in_range;
+  if (result.scale_exponent != 0) {
+    in_range = scaled(points, result.scale_exponent);
+    points = in_range;
+  }
   result.vertex_of_input.resize(points.size());
   result.points.reserve(points.size());
-  const int scale = result.scale_exponent;
-  for (const KeyedIndex& item : lexicographic_order(points)) {
-    Point3 p = points[item.index];
-    if (scale != 0) p = {std::ldexp(p.x, scale), std::ldexp(p.y, scale), std::ldexp(p.z, scale)};
+  result.first_input.reserve(points.size());
+  for (const KeyedIndex& item : hilbert_order(points)) {
+    const Point3& p = points[item.index];
     if (result.points.empty() || !(result.points.back() == p)) {
       result.points.push_back(p);
       result.first_input.push_back(item.index);
@@ -123,10 +116,11 @@ std::optional<std::string> broken_invariant(const DistinctPoints& distinct,
   const auto& points = distinct.points;
   if (distinct.vertex_of_input.size() != input.size()) return "an input point has no vertex";
   if (distinct.first_input.size() != points.size()) return "a vertex has no input point";
+  const LargeArray<KeyedIndex> order = hilbert_order(points);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (v > 0 && !lexicographically_less(points[v - 1], points[v])) {
-      return "vertices " + std::to_string(v - 1) + " and " + std::to_string(v) +
-             " are out of order";
+    if (order[v].index != v) return "vertex " + std::to_string(v) + " is out of order";
+    if (v > 0 && points[v - 1] == points[v]) {
+      return "vertices " + std::to_string(v - 1) + " and " + std::to_string(v) + " are one point";
     }
     const std::size_t first = distinct.first_input[v];
     if (first >= input.size() || +distinct.vertex_of_input[first] != v) {

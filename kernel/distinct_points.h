@@ -27,10 +27,11 @@ class InvalidPoint : public std::runtime_error {
   std::size_t index_;
 };
 
-/// The distinct points of a set, in lexicographic order. Every later stage works on `points` and
-/// numbers vertices by their place in it, so that no result depends on the order of the input.
+/// The distinct points of a set, along a Hilbert curve (kernel/hilbert_order). Every later stage
+/// works on `points` and numbers vertices by their place in it: no result depends on the order of
+/// the input, and neighbours in space are neighbours in memory.
 struct DistinctPoints {
-  /// Lexicographically increasing; the input's coordinates times 2^scale_exponent, exactly.
+  /// The input's coordinates times 2^scale_exponent, exactly.
   std::vector<Point3> points;
   /// Per input point, its vertex.
   std::vector<VertexId> vertex_of_input;

@@ -9,7 +9,7 @@
 #include "kernel/point.h"
 #include "kernel/tet_complex.h"
 
-/// The one total order of edges: by exact length, ties by their end points in lexicographic order.
+/// The one total order of edges: by exact length, ties by the ids of their end points.
 namespace tetsculpt {
 
 /// One flag per simplex, indexed by its id.

@@ -7,7 +7,7 @@
 /// as an array index.
 namespace tetsculpt {
 
-/// Rank of a point in the lexicographic order of the distinct points; see kernel/distinct_points.h.
+/// Place of a point in the order of the distinct points; see kernel/distinct_points.h.
 enum class VertexId : std::uint32_t {};
 enum class EdgeId : std::uint32_t {};
 enum class TriangleId : std::uint32_t {};

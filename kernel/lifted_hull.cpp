@@ -5,7 +5,7 @@
 // farthest point, find the facets it sees and their horizon, put a cone over the horizon, hand the
 // orphans on.
 //
-// Departures: conflict sets hold one round of points at a time (kernel/spatial_order), each about
+// Departures: conflict sets hold one round of points at a time (kernel/insertion_order), each about
 // as large as all before it, and points are worked in the order of a Hilbert curve: a point is then
 // handed on about 4 ln 2 times instead of 4 ln n, and the facets in use stay in cache. A round's
 // points find their first facet by walking down the power of the facets' spheres, from where the
@@ -20,9 +20,9 @@
 #include "kernel/distinct_points.h"
 #include "kernel/first_simplex.h"
 #include "kernel/hull_facets.h"
+#include "kernel/insertion_order.h"
 #include "kernel/large_array.h"
 #include "kernel/predicates.h"
-#include "kernel/spatial_order.h"
 
 namespace tetsculpt {
 namespace {
@@ -56,7 +56,7 @@ class Worker {
   Worker(std::span<const Point3> sites, std::vector<std::size_t> round_begin, double unit);
   void run(const std::array<std::uint32_t, 4>& simplex,
            const std::function<void(double)>& progress);
-  LiftedHull result(const SpatialOrder& order) const;
+  LiftedHull result(std::span<const VertexId> vertices) const;
 
  private:
   void make_simplex(const std::array<std::uint32_t, 4>& simplex);
@@ -74,7 +74,7 @@ class Worker {
   void number_horizon(Site apex);
   void link_cone();
   void link_large_cone();
-  LargeArray<std::uint32_t> final_indices(const SpatialOrder& order,
+  LargeArray<std::uint32_t> final_indices(std::span<const VertexId> vertices,
                                           std::size_t& finite_count) const;
 
   std::span<const Point3> sites_;
@@ -401,9 +401,9 @@ FacetIndex Worker::locate_exactly(Site q, FacetIndex from) const {
   return f;
 }
 
-/// New indices of the facets that live: finite ones first, either kind by the first of its corners
-/// along the curve. Neighbours in space are then neighbours in memory for all later stages.
-LargeArray<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
+/// New indices of the facets that live: finite ones first, either kind by its lowest corner.
+/// Neighbours in space are then neighbours in memory for all later stages.
+LargeArray<std::uint32_t> Worker::final_indices(std::span<const VertexId> vertices,
                                                 std::size_t& finite_count) const {
   std::vector<bool> dead(facets_.size(), false);
   for (const FacetIndex f : free_) dead[f] = true;
@@ -411,8 +411,7 @@ LargeArray<std::uint32_t> Worker::final_indices(const SpatialOrder& order,
   const auto bucket = [&](FacetIndex f) {
     std::size_t first = n;
     for (const Site s : facets_.corners(f)) {
-      if (s != kAtInfinity)
-        first = std::min<std::size_t>(first, order.place_on_curve[+order.vertices[s]]);
+      if (s != kAtInfinity) first = std::min<std::size_t>(first, +vertices[s]);
     }
     return facets_.infinite_corner(f) != 4 ? n + first : first;
   };
@@ -449,9 +448,9 @@ std::array<std::uint8_t, 4> places_in_order(const std::array<VertexId, 4>& corne
   return places;
 }
 
-LiftedHull Worker::result(const SpatialOrder& order) const {
+LiftedHull Worker::result(std::span<const VertexId> vertices) const {
   LiftedHull out;
-  const LargeArray<std::uint32_t> index = final_indices(order, out.finite_count);
+  const LargeArray<std::uint32_t> index = final_indices(vertices, out.finite_count);
   const std::size_t count = facets_.size() - free_.size();
   out.tets.resize(count);
   out.neighbors.resize(count);
@@ -461,7 +460,7 @@ LiftedHull Worker::result(const SpatialOrder& order) const {
     std::array<VertexId, 4> corners;
     for (std::uint32_t i = 0; i < 4; ++i) {
       const Site s = facets_.corners(f)[i];
-      corners[i] = s == kAtInfinity ? kInfinite : order.vertices[s];
+      corners[i] = s == kAtInfinity ? kInfinite : vertices[s];
     }
     places[f] = places_in_order(corners);
     for (std::uint32_t i = 0; i < 4; ++i) out.tets[index[f]][places[f][i]] = corners[i];
@@ -480,7 +479,7 @@ LiftedHull Worker::result(const SpatialOrder& order) const {
 }  // namespace
 
 LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options) {
-  const SpatialOrder order = spatial_order(points);
+  const InsertionOrder order = insertion_order(points.size());
   LargeArray<Point3> sites;
   sites.reserve(points.size());
   for (const VertexId v : order.vertices) sites.push_back(points[+v]);
@@ -488,7 +487,7 @@ LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& 
   if (simplex.size < 4) return {};
   Worker worker(sites, order.round_begin, std::ldexp(1.0, unit_exponent(sites)));
   worker.run(simplex.corners, options.progress);
-  return worker.result(order);
+  return worker.result(order.vertices);
 }
 
 }  // namespace tetsculpt

@@ -36,8 +36,8 @@ struct LiftedHullOptions {
 
 /// Quickhull on the lifted points and the point at infinity above them. The perturbation makes all
 /// points extreme and the result one function of the point set.
-/// Precondition: `points` are distinct, in lexicographic order and in the exact domain
-/// (kernel/distinct_points.h). Empty if no four of them span a solid.
+/// Precondition: `points` are distinct, along a Hilbert curve and in the exact domain, as
+/// kernel/distinct_points has them. Empty if no four of them span a solid.
 /// [Barber, Dobkin, Huhdanpaa 1996; Brown 1979]
 /// Cost: O(n log n) expected plus linear in the tetrahedra created.
 LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options = {});

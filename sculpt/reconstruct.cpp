@@ -69,8 +69,7 @@ Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex,
                       {.criterion = options.criterion, .progress = progress});
 }
 
-/// Renumbers a surface over lexicographic vertex ids to the order of the input and fills in the
-/// rest.
+/// Renumbers a surface over vertex ids to the order of the input and fills in the rest.
 void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
                 const TetComplex& complex, const Sculpture& sculpture, Reconstruction& out) {
   std::vector<std::uint32_t> index(distinct.points.size(), 0);

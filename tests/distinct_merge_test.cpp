@@ -1,4 +1,4 @@
-// Equal points become one vertex, vertices are in lexicographic order, and the maps say who is who.
+// Equal points become one vertex, and the maps say who is who.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,9 +19,14 @@ std::vector<std::size_t> vertices_of(const DistinctPoints& distinct) {
 TEST_CASE("duplicates are merged, the first one is named") {
   const std::vector<Point3> input{{2, 0, 0}, {1, 5, 0}, {2, 0, 0}, {1, 4, 9}, {1, 5, 0}, {1, 5, 0}};
   const DistinctPoints distinct = distinct_points(input);
-  CHECK(distinct.points == std::vector<Point3>{{1, 4, 9}, {1, 5, 0}, {2, 0, 0}});
-  CHECK(vertices_of(distinct) == std::vector<std::size_t>{2, 1, 2, 0, 1, 1});
-  CHECK(distinct.first_input == std::vector<std::uint32_t>{3, 1, 0});
+  REQUIRE(distinct.points.size() == 3);
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    CHECK(distinct.points[+distinct.vertex_of_input[i]] == input[i]);
+  }
+  const std::size_t firsts[] = {0, 1, 0, 3, 1, 1};
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    CHECK(distinct.first_input[+distinct.vertex_of_input[i]] == firsts[i]);
+  }
   CHECK(distinct.scale_exponent == 0);
   CHECK_FALSE(broken_invariant(distinct, input));
 }
@@ -45,14 +50,6 @@ TEST_CASE("no point, one point, all equal") {
   CHECK(vertices_of(one) == std::vector<std::size_t>(1000, 0));
 }
 
-TEST_CASE("the order is by value, whatever the sign and size") {
-  const std::vector<Point3> ordered{{-1e30, 0, 0},     {-1, -2, 3}, {-1, -1, -5}, {-1, -1, 5},
-                                    {-0x1p-170, 0, 0}, {0, -1, 0},  {0, 0, 0},    {0, 0, 0x1p-170},
-                                    {0x1p-170, 0, 0},  {1, -1, 0},  {1, 1, -1},   {1e30, -1e30, 0}};
-  const std::vector<Point3> input = point_sets::shuffled(ordered, 1);
-  CHECK(distinct_points(input).points == ordered);
-}
-
 TEST_CASE("a lattice with many duplicates") {
   constexpr std::uint64_t kSeed = 2;
   CAPTURE(kSeed);
@@ -61,11 +58,13 @@ TEST_CASE("a lattice with many duplicates") {
   std::sort(expected.begin(), expected.end(), lexicographically_less);
   expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
   const DistinctPoints distinct = distinct_points(input);
-  CHECK(distinct.points == expected);
+  std::vector<Point3> sorted = distinct.points;
+  std::sort(sorted.begin(), sorted.end(), lexicographically_less);
+  CHECK(sorted == expected);
   CHECK_FALSE(broken_invariant(distinct, input));
   std::size_t wrong = 0;
-  for (std::size_t v = 0; v < expected.size(); ++v) {
-    const auto first = std::find(input.begin(), input.end(), expected[v]);
+  for (std::size_t v = 0; v < distinct.points.size(); ++v) {
+    const auto first = std::find(input.begin(), input.end(), distinct.points[v]);
     wrong += distinct.first_input[v] != static_cast<std::size_t>(first - input.begin());
   }
   CHECK(wrong == 0);

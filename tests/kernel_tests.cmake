@@ -11,7 +11,8 @@ foreach(
   radix_sort_test
   disjoint_sets_test
   simplex_dimension_test
-  spatial_order_test
+  hilbert_order_test
+  insertion_order_test
   hull_structure_test
   hull_convex_test
   delaunay_no_solid_test

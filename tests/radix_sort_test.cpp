@@ -1,11 +1,9 @@
-// radix_sort is a stable sort by key, and ordered_bits orders keys as their doubles.
+// radix_sort is a stable sort by key.
 #include "kernel/radix_sort.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
-#include <vector>
 
 #include "tests/support/point_sets.h"
 
@@ -47,30 +45,6 @@ TEST_CASE("sorted and reversed keys") {
   CHECK(differences_from_stable_sort(items) == 0);
   std::reverse(items.begin(), items.end());
   CHECK(differences_from_stable_sort(items) == 0);
-}
-
-TEST_CASE("ordered_bits orders as the doubles do") {
-  using Limits = std::numeric_limits<double>;
-  const std::vector<double> increasing{-Limits::infinity(),
-                                       -Limits::max(),
-                                       -1e10,
-                                       -1,
-                                       -Limits::min(),
-                                       -Limits::denorm_min(),
-                                       0,
-                                       Limits::denorm_min(),
-                                       Limits::min(),
-                                       1 - Limits::epsilon() / 2,
-                                       1,
-                                       1 + Limits::epsilon(),
-                                       1e10,
-                                       Limits::max(),
-                                       Limits::infinity()};
-  for (std::size_t i = 0; i + 1 < increasing.size(); ++i) {
-    CAPTURE(increasing[i]);
-    CHECK(ordered_bits(increasing[i]) < ordered_bits(increasing[i + 1]));
-  }
-  CHECK(ordered_bits(-0.0) == ordered_bits(0.0));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 /// The complex and the graphs from their definitions, by brute force over all points; and the sets
 /// to compare the kernel with them on. Ties are broken as kernel/perturbation.h says.
 ///
-/// Points are distinct and in lexicographic order, as distinct_points() gives them; simplices are
-/// sorted tuples of their ranks.
+/// Points are distinct and in the order in which distinct_points() gives them; simplices are sorted
+/// tuples of their places.
 namespace tetsculpt::oracle {
 
 using Edge = std::array<VertexId, 2>;

@@ -1,29 +1,15 @@
-// Rounds: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", SoCG 2003. Hilbert
-// index: J. Skilling, "Programming the Hilbert curve", AIP Conference Proceedings 707, 2004.
-#include "kernel/spatial_order.h"
+// Hilbert index: J. Skilling, "Programming the Hilbert curve", AIP Conference Proceedings 707,
+// 2004.
+#include "kernel/hilbert_order.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-
-#include "kernel/large_array.h"
-#include "kernel/radix_sort.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr int kBitsPerAxis = 18;         // a cell of the curve is 2^-18 of the box
-constexpr int kBitsPerRound = 1;         // a round is 2^1 - 1 times as large as all before it
-constexpr std::size_t kFirstRound = 64;  // at most about so many points in the first round
-
-/// A well mixed function of the id (the finaliser of SplitMix64).
-std::uint64_t hash(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
+constexpr int kBitsPerAxis = 18;  // a cell of the curve is 2^-18 of the box
 
 /// Hilbert index of a cell: undo the excess work of the Gray code, axis by axis, then interleave.
 std::uint64_t hilbert_index(std::array<std::uint32_t, 3> cell) {
@@ -76,41 +62,33 @@ class Cells {
   double cells_per_unit_;
 };
 
+/// Sorts each run of equal keys by the points themselves.
+void sort_within_cells(std::span<const Point3> points, LargeArray<KeyedIndex>& order) {
+  const auto less = [&](const KeyedIndex& a, const KeyedIndex& b) {
+    const Point3& p = points[a.index];
+    const Point3& q = points[b.index];
+    return p == q ? a.index < b.index : lexicographically_less(p, q);
+  };
+  for (auto first = order.begin(); first != order.end();) {
+    auto last = first + 1;
+    while (last != order.end() && last->key == first->key) ++last;
+    if (last - first > 1) std::sort(first, last, less);
+    first = last;
+  }
+}
+
 }  // namespace
 
-SpatialOrder spatial_order(std::span<const Point3> points) {
-  SpatialOrder result;
-  if (points.empty()) return result;
-  std::uint64_t last_round = 0;
-  while (points.size() >> (kBitsPerRound * last_round) > kFirstRound) ++last_round;
-
-  const Cells cells(points);
+LargeArray<KeyedIndex> hilbert_order(std::span<const Point3> points) {
   LargeArray<KeyedIndex> order(points.size());
+  if (points.empty()) return order;
+  const Cells cells(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     order[i] = {hilbert_index(cells(points[i])), static_cast<std::uint32_t>(i)};
   }
   radix_sort(order);
-  result.place_on_curve.resize(points.size());
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    result.place_on_curve[order[place].index] = static_cast<std::uint32_t>(place);
-  }
-
-  // Points are on the curve now: a stable sort by round leaves each round along it.
-  std::vector<std::size_t> round_size(last_round + 1, 0);
-  for (KeyedIndex& item : order) {
-    const auto coins = static_cast<std::uint64_t>(std::countr_zero(hash(item.index)));
-    item.key = last_round - std::min(coins / kBitsPerRound, last_round);
-    ++round_size[item.key];
-  }
-  radix_sort(order);
-
-  result.vertices.reserve(points.size());
-  for (const KeyedIndex& item : order) result.vertices.push_back(VertexId{item.index});
-  result.round_begin.push_back(0);
-  for (const std::size_t size : round_size) {
-    result.round_begin.push_back(result.round_begin.back() + size);
-  }
-  return result;
+  sort_within_cells(points, order);
+  return order;
 }
 
 }  // namespace tetsculpt

@@ -1,0 +1,46 @@
+// N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", SoCG 2003.
+#include "kernel/insertion_order.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+
+namespace tetsculpt {
+namespace {
+
+constexpr std::size_t kFirstRound = 64;  // at most about so many points in the first round
+
+/// A well mixed function of the id (the finaliser of SplitMix64).
+std::uint64_t hash(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+InsertionOrder insertion_order(std::size_t vertex_count) {
+  InsertionOrder result;
+  if (vertex_count == 0) return result;
+  std::size_t last_round = 0;
+  while (vertex_count >> last_round > kFirstRound) ++last_round;
+  // Each coin is fair: half of the vertices are in the last round, half of the rest before it.
+  const auto round_of = [&](std::size_t v) {
+    return last_round -
+           std::min<std::size_t>(static_cast<std::size_t>(std::countr_zero(hash(v))), last_round);
+  };
+  result.round_begin.assign(last_round + 2, 0);
+  for (std::size_t v = 0; v < vertex_count; ++v) ++result.round_begin[round_of(v) + 1];
+  std::partial_sum(result.round_begin.begin(), result.round_begin.end(),
+                   result.round_begin.begin());
+  result.vertices.resize(vertex_count);
+  std::vector<std::size_t> next = result.round_begin;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    result.vertices[next[round_of(v)]++] = VertexId{static_cast<std::uint32_t>(v)};
+  }
+  return result;
+}
+
+}  // namespace tetsculpt

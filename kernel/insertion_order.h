@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kernel/ids.h"
+#include "kernel/large_array.h"
+
+/// The order in which points enter the hull.
+namespace tetsculpt {
+
+struct InsertionOrder {
+  /// All vertices, round after round; within a round by id, which is along a Hilbert curve.
+  LargeArray<VertexId> vertices;
+  /// Round r is vertices[round_begin[r]] up to vertices[round_begin[r + 1]].
+  std::vector<std::size_t> round_begin;
+};
+
+/// Biased randomised insertion order: vertices fall into rounds by pseudo-random coins (a fixed
+/// hash of the id), each round about as large as all before it. [Amenta, Choi, Rote 2003]
+/// Cost: linear.
+InsertionOrder insertion_order(std::size_t vertex_count);
+
+}  // namespace tetsculpt
