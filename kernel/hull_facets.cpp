@@ -8,7 +8,7 @@
 // Cauchy-Schwarz,
 //     P(y,z,w) <= |A| |B| |C| (|A| + |B| + |C|) =: pi sigma,    P(x,y,z) <= 1.16 pi,
 // so the value is off by at most 17 u pi (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny); the
-// constants 18 and 22 below cover the roundings of the bound itself. For an infinite facet C is
+// constant 22 below, for both, covers the roundings of the bound itself. For an infinite facet C is
 // (0, 0, 0, 1), the value is -(A x B).d, and 8 u |A| |B| (|dx| + |dy| + |dz|) is enough.
 //
 // All coordinates are multiples of a unit g. If the bound on the permanents is below 2^53 g^5,
@@ -17,6 +17,7 @@
 // decides nearly all ties without expansions.
 #include "kernel/hull_facets.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cfloat>
 #include <cmath>
@@ -29,35 +30,40 @@ namespace tetsculpt::hull {
 namespace {
 
 constexpr double kUnit = DBL_EPSILON / 2;
+/// Extent of an infinite facet, so large that |d|^2 hardly counts.
+constexpr float kNoExtent = 0x1p60f;
+
+/// A power of two of about the size of the set.
+double reach_of(std::span<const Point3> sites) {
+  double reach = 0;
+  for (const Point3& p : sites) {
+    reach = std::max({reach, std::fabs(p.x - sites[0].x), std::fabs(p.y - sites[0].y),
+                      std::fabs(p.z - sites[0].z)});
+  }
+  return reach > 0 ? std::ldexp(1.0, std::ilogb(reach)) : 1;
+}
 
 }  // namespace
 
 Facets::Facets(std::span<const Point3> sites, double unit)
     : sites_(sites),
+      reach_(reach_of(sites)),
+      per_reach_(1 / reach_),
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit) {}
 
 void Facets::reserve(std::size_t n) {
-  corners_.reserve(n);
-  neighbors_.reserve(n);
   planes_.reserve(n);
+  neighbors_.reserve(n);
   farthest_.reserve(n);
-  mark_.reserve(n);
 }
 
 FacetIndex Facets::append() {
-  if (corners_.size() == kNone / 4) throw std::length_error("more than 2^30 tetrahedra");
-  corners_.push_back({kNone, kNone, kNone, kNone});
+  if (planes_.size() == kNone / 4) throw std::length_error("more than 2^30 tetrahedra");
+  planes_.emplace_back();
   neighbors_.push_back({kNone, kNone, kNone, kNone});
-  planes_.push_back({});
   farthest_.push_back(kNone);
-  mark_.push_back(0);
-  return static_cast<FacetIndex>(corners_.size() - 1);
-}
-
-std::uint32_t Facets::infinite_corner(FacetIndex f) const {
-  const auto& c = corners_[f];
-  return c[1] == kAtInfinity ? 1 : c[2] == kAtInfinity ? 2 : c[3] == kAtInfinity ? 3 : 4;
+  return static_cast<FacetIndex>(planes_.size() - 1);
 }
 
 void Facets::set_hyperplane(FacetIndex f, const LiftedDifference* a, const LiftedDifference* b,
@@ -74,7 +80,12 @@ void Facets::set_hyperplane(FacetIndex f, const LiftedDifference* a, const Lifte
   const double zx = a->z * b->x - a->x * b->z;
   const double lengths_ab = std::sqrt(a->w * b->w);
   if (!c) {
-    n = {-yz, -zx, -xy, 0, 10 * kUnit * lengths_ab, 0};
+    n.nx = -yz;
+    n.ny = -zx;
+    n.nz = -xy;
+    n.nw = 0;
+    n.error = 10 * kUnit * lengths_ab / kNoExtent;
+    n.extent = kNoExtent;
     return;
   }
   const double xw = a->x * b->w - a->w * b->x;
@@ -87,16 +98,16 @@ void Facets::set_hyperplane(FacetIndex f, const LiftedDifference* a, const Lifte
   n.ny = -(zx * c->w - zw * c->x + xw * c->z);
   n.nz = -(xy * c->w - xw * c->y + yw * c->x);
   n.nw = xy * c->z + yz * c->x + zx * c->y;
-  n.e1 = 18 * kUnit * product * sum;
-  n.e2 = 22 * kUnit * product;
+  n.error = 22 * kUnit * product * reach_;
+  n.extent = std::max(static_cast<float>((1 + FLT_EPSILON) * sum * per_reach_), FLT_MIN);
 }
 
 void Facets::set_hyperplane(FacetIndex f) {
   std::array<LiftedDifference, 4> d;
   std::array<const LiftedDifference*, 4> to{};
   for (std::uint32_t i = 1; i < 4; ++i) {
-    if (corners_[f][i] == kAtInfinity) continue;
-    d[i] = difference(f, corners_[f][i]);
+    if (corners(f)[i] == kAtInfinity) continue;
+    d[i] = difference(f, corners(f)[i]);
     to[i] = &d[i];
   }
   set_hyperplane(f, to[1], to[2], to[3]);
@@ -107,7 +118,7 @@ bool Facets::decide(FacetIndex f, Site q, Height h) const {
   const std::uint32_t infinite = infinite_corner(f);
   const bool exact = h.error < (infinite == 4 ? exact_below_ : exact_below_infinite_);
   if (exact && h.value != 0) return h.value > 0;
-  const auto& c = corners_[f];
+  const auto& c = corners(f);
   if (infinite == 4) {
     const auto inside = exact ? perturbed_inside : in_perturbed_sphere;
     return inside(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
@@ -117,7 +128,7 @@ bool Facets::decide(FacetIndex f, Site q, Height h) const {
     const Ridge behind = neighbors_[f][infinite];
     std::array<const Point3*, 4> p{};
     for (std::uint32_t i = 0; i < 4; ++i) {
-      p[i] = &sites_[i == corner_of(behind) ? q : corners_[facet_of(behind)][i]];
+      p[i] = &sites_[i == corner_of(behind) ? q : corners(facet_of(behind))[i]];
     }
     const Sign side = orient3d(*p[0], *p[1], *p[2], *p[3]);
     if (side != Sign::kZero) return side == Sign::kNegative;
@@ -128,7 +139,7 @@ bool Facets::decide(FacetIndex f, Site q, Height h) const {
 /// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite
 /// one.
 bool Facets::coplanar_visible(FacetIndex f, Site q) const {
-  const auto& c = corners_[facet_of(neighbors_[f][infinite_corner(f)])];
+  const auto& c = corners(facet_of(neighbors_[f][infinite_corner(f)]));
   return in_perturbed_sphere(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
 }
 

@@ -36,12 +36,18 @@ struct LiftedDifference {
 
 /// A facet's lifted hyperplane through its first corner p. The value of
 ///     nx dx + ny dy + nz dz + nw |d|^2,  d = q - p,
-/// is positive if the facet is visible from q, and off by at most e1 (|dx| + |dy| + |dz|) + e2
-/// |d|^2.
-struct Hyperplane {
+/// is positive if the facet is visible from q, and off by at most
+///     error (extent (|dx| + |dy| + |dz|) + |d|^2 / reach),
+/// with the reach of the whole set, a power of two.
+/// A visibility test needs no more than this and p: one cache line.
+struct alignas(64) Hyperplane {
   double nx, ny, nz, nw;
-  double e1, e2;
+  double error;
+  float extent;
+  std::uint32_t mark = 0;  ///< scratch for the search that visits the facet
+  std::array<Site, 4> corners{kNone, kNone, kNone, kNone};
 };
+static_assert(sizeof(Hyperplane) == 64);
 
 ///        0            Corner 0 is finite: in a facet of a cone, the cone's apex. Neighbour i
 ///        shares the
@@ -57,19 +63,18 @@ class Facets {
   /// `unit` is a power of two of which all coordinates are multiples.
   Facets(std::span<const Point3> sites, double unit);
 
-  std::size_t size() const { return corners_.size(); }
+  std::size_t size() const { return planes_.size(); }
   void reserve(std::size_t n);
   /// Appends an unlinked facet without a hyperplane.
   FacetIndex append();
 
-  std::array<Site, 4>& corners(FacetIndex f) { return corners_[f]; }
-  const std::array<Site, 4>& corners(FacetIndex f) const { return corners_[f]; }
+  std::array<Site, 4>& corners(FacetIndex f) { return planes_[f].corners; }
+  const std::array<Site, 4>& corners(FacetIndex f) const { return planes_[f].corners; }
   std::array<Ridge, 4>& neighbors(FacetIndex f) { return neighbors_[f]; }
   const std::array<Ridge, 4>& neighbors(FacetIndex f) const { return neighbors_[f]; }
   /// First site of the facet's conflict set, the farthest, or kNone.
   Site& farthest(FacetIndex f) { return farthest_[f]; }
-  /// Scratch for the search that visits the facet.
-  std::uint32_t& mark(FacetIndex f) { return mark_[f]; }
+  std::uint32_t& mark(FacetIndex f) { return planes_[f].mark; }
 
   const Point3& point(Site s) const { return sites_[s]; }
   /// The corner at infinity, or 4 if the facet is finite.
@@ -81,6 +86,11 @@ class Facets {
                       const LiftedDifference* c);
   /// Computes the differences, too.
   void set_hyperplane(FacetIndex f);
+
+  /// Starts to fetch what tests of the facets across all ridges of f will read.
+  void prefetch_neighbors(FacetIndex f) const {
+    for (const Ridge r : neighbors_[f]) __builtin_prefetch(&planes_[facet_of(r)]);
+  }
 
   LiftedDifference difference(FacetIndex f, Site q) const;
   /// The hyperplane's value at q, and by how much it may be wrong.
@@ -102,13 +112,13 @@ class Facets {
   bool coplanar_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
+  double reach_;                 ///< as large as the set, a power of two
+  double per_reach_;             ///< 1 / reach_
   double exact_below_;           ///< error of a finite facet's height below which it has none
   double exact_below_infinite_;  ///< the same for an infinite facet
-  LargeArray<std::array<Site, 4>> corners_;
-  LargeArray<std::array<Ridge, 4>> neighbors_;
   LargeArray<Hyperplane> planes_;
+  LargeArray<std::array<Ridge, 4>> neighbors_;
   LargeArray<Site> farthest_;
-  LargeArray<std::uint32_t> mark_;
 };
 
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
@@ -118,15 +128,21 @@ inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
   return {x, y, z, x * x + y * y + z * z};
 }
 
+inline std::uint32_t Facets::infinite_corner(FacetIndex f) const {
+  const auto& c = planes_[f].corners;
+  return c[1] == kAtInfinity ? 1 : c[2] == kAtInfinity ? 2 : c[3] == kAtInfinity ? 3 : 4;
+}
+
 inline LiftedDifference Facets::difference(FacetIndex f, Site q) const {
-  return lifted_difference(sites_[q], sites_[corners_[f][0]]);
+  return lifted_difference(sites_[q], sites_[planes_[f].corners[0]]);
 }
 
 inline Facets::Height Facets::height(FacetIndex f, Site q) const {
   const LiftedDifference d = difference(f, q);
   const Hyperplane& n = planes_[f];
   const double along = (d.x < 0 ? -d.x : d.x) + (d.y < 0 ? -d.y : d.y) + (d.z < 0 ? -d.z : d.z);
-  return {n.nx * d.x + n.ny * d.y + n.nz * d.z + n.nw * d.w, n.e1 * along + n.e2 * d.w};
+  return {n.nx * d.x + n.ny * d.y + n.nz * d.z + n.nw * d.w,
+          n.error * (static_cast<double>(n.extent) * along + d.w * per_reach_)};
 }
 
 }  // namespace tetsculpt::hull

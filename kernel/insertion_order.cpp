@@ -9,6 +9,9 @@
 namespace tetsculpt {
 namespace {
 
+// A round of q times all before it streams the facets through the cache 1 / q times less often, but
+// its cavities grow along the curve; 1 to 4 bits measured, on volumes and surfaces.
+constexpr int kBitsPerRound = 3;         // a round is 2^3 - 1 times as large as all before it
 constexpr std::size_t kFirstRound = 64;  // at most about so many points in the first round
 
 /// A well mixed function of the id (the finaliser of SplitMix64).
@@ -25,11 +28,10 @@ InsertionOrder insertion_order(std::size_t vertex_count) {
   InsertionOrder result;
   if (vertex_count == 0) return result;
   std::size_t last_round = 0;
-  while (vertex_count >> last_round > kFirstRound) ++last_round;
-  // Each coin is fair: half of the vertices are in the last round, half of the rest before it.
+  while (vertex_count >> (kBitsPerRound * last_round) > kFirstRound) ++last_round;
   const auto round_of = [&](std::size_t v) {
-    return last_round -
-           std::min<std::size_t>(static_cast<std::size_t>(std::countr_zero(hash(v))), last_round);
+    const auto coins = static_cast<std::size_t>(std::countr_zero(hash(v)));
+    return last_round - std::min(coins / kBitsPerRound, last_round);
   };
   result.round_begin.assign(last_round + 2, 0);
   for (std::size_t v = 0; v < vertex_count; ++v) ++result.round_begin[round_of(v) + 1];

@@ -17,8 +17,8 @@ struct InsertionOrder {
 };
 
 /// Biased randomised insertion order: vertices fall into rounds by pseudo-random coins (a fixed
-/// hash of the id), each round about as large as all before it. [Amenta, Choi, Rote 2003]
-/// Cost: linear.
+/// hash of the id), each round about seven times as large as all before it. [Amenta, Choi, Rote
+/// 2003] Cost: linear.
 InsertionOrder insertion_order(std::size_t vertex_count);
 
 }  // namespace tetsculpt

@@ -5,11 +5,15 @@
 // farthest point, find the facets it sees and their horizon, put a cone over the horizon, hand the
 // orphans on.
 //
-// Departures: conflict sets hold one round of points at a time (kernel/insertion_order), each about
-// as large as all before it, and points are worked in the order of a Hilbert curve: a point is then
-// handed on about 4 ln 2 times instead of 4 ln n, and the facets in use stay in cache. A round's
-// points find their first facet by walking down the power of the facets' spheres, from where the
-// last one ended. No point is ever discarded: all lifted points are extreme.
+// Departures: conflict sets hold one batch of points at a time, neighbours on a Hilbert curve
+// within a round of a biased random order (kernel/insertion_order): a point is then handed on a few
+// times instead of 4 ln n, and the facets in use stay in cache. A batch's points find their first
+// facet by walking down the power of the facets' spheres, from where the last one ended. No point
+// is ever discarded: all lifted points are extreme.
+//
+// What it brought, hull alone: one cache line per facet tested instead of five 10 %; rounds of
+// seven times all before instead of once 25 % (a round streams all facets through the cache);
+// batches of 16 instead of whole rounds 25 %; large pages half (page faults and TLB misses).
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
@@ -51,9 +55,12 @@ struct Conflict {
   double height = 0;         ///< above that facet's hyperplane, up to rounding
 };
 
+constexpr Site kBatch = 16;                   ///< points that are in conflict sets at a time
+constexpr Site kReportEvery = 4096 * kBatch;  ///< points
+
 class Worker {
  public:
-  Worker(std::span<const Point3> sites, std::vector<std::size_t> round_begin, double unit);
+  Worker(std::span<const Point3> sites, double unit);
   void run(const std::array<std::uint32_t, 4>& simplex,
            const std::function<void(double)>& progress);
   LiftedHull result(std::span<const VertexId> vertices) const;
@@ -67,6 +74,7 @@ class Worker {
   void make_cone(Site apex);
   void reassign_conflicts(Site apex);
 
+  Conflict& conflict(Site q) { return conflicts_[q - batch_begin_]; }
   FacetIndex locate(Site q, FacetIndex from) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
   void add_conflict(Site q, FacetIndex f, double height);
@@ -78,9 +86,9 @@ class Worker {
                                           std::size_t& finite_count) const;
 
   std::span<const Point3> sites_;
-  std::vector<std::size_t> round_begin_;
   mutable Facets facets_;
-  LargeArray<Conflict> conflicts_;
+  std::array<Conflict, kBatch> conflicts_{};
+  Site batch_begin_ = 0;
   std::uint32_t stamp_ = 0;
   FacetIndex last_ = 0;           ///< a facet that is alive
   std::vector<FacetIndex> free_;  ///< facets that died without a successor
@@ -92,21 +100,21 @@ class Worker {
   std::vector<std::array<std::uint32_t, 3>> local_;  ///< its corners' numbers among the horizon's
   std::vector<LiftedDifference> spokes_;             ///< per number, the corner minus the apex
   std::uint32_t infinite_number_ = kNone;
-  LargeArray<std::uint32_t> number_of_;  ///< per site and, last, the one at infinity
-  LargeArray<std::uint32_t> number_stamp_;
+  struct Number {
+    std::uint32_t stamp;  ///< of the insertion in which it counts
+    std::uint32_t number;
+  };
+  LargeArray<Number> number_of_;   ///< per site and, last, the one at infinity
   std::vector<Ridge> half_ridge_;  ///< per ordered pair of numbers
 };
 
 constexpr std::size_t kLargeCone =
     256;  // above so many corners, pairs are sorted instead of tabulated
 
-Worker::Worker(std::span<const Point3> sites, std::vector<std::size_t> round_begin, double unit)
+Worker::Worker(std::span<const Point3> sites, double unit)
     : sites_(sites),
-      round_begin_(std::move(round_begin)),
       facets_(sites, unit),
-      conflicts_(sites.size()),
-      number_of_(sites.size() + 1),
-      number_stamp_(sites.size() + 1, 0),
+      number_of_(sites.size() + 1, Number{0, 0}),
       half_ridge_(kLargeCone * kLargeCone) {
   facets_.reserve(9 * sites.size() + 64);
 }
@@ -148,21 +156,20 @@ void Worker::run(const std::array<std::uint32_t, 4>& simplex,
   make_simplex(simplex);
   std::vector<bool> in_simplex(sites_.size(), false);
   for (const Site s : simplex) in_simplex[s] = true;
-  for (std::size_t r = 0; r + 1 < round_begin_.size(); ++r) {
-    const auto begin = static_cast<Site>(round_begin_[r]);
-    const auto end = static_cast<Site>(round_begin_[r + 1]);
+  const auto n = static_cast<Site>(sites_.size());
+  for (Site begin = 0; begin < n; begin += kBatch) {
+    const Site end = std::min(begin + kBatch, n);
+    batch_begin_ = begin;
     for (Site q = begin; q < end; ++q) {
       if (in_simplex[q]) continue;
       last_ = locate(q, last_);
       add_conflict(q, last_, facets_.height(last_, q).value);
     }
     for (Site q = begin; q < end; ++q) {
-      while (conflicts_[q].facet != kNone) {
-        insert(pick_apex(conflicts_[q].facet), conflicts_[q].facet);
-      }
-      if (progress && (q & 0xffff) == 0) {
-        progress(static_cast<double>(q) / static_cast<double>(sites_.size()));
-      }
+      while (conflict(q).facet != kNone) insert(pick_apex(conflict(q).facet), conflict(q).facet);
+    }
+    if (progress && begin % kReportEvery == 0) {
+      progress(static_cast<double>(begin) / static_cast<double>(n));
     }
   }
 }
@@ -185,6 +192,7 @@ void Worker::find_horizon(Site apex, FacetIndex seen) {
   facets_.mark(seen) = is_visible;
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const FacetIndex f = visible_[k];
+    facets_.prefetch_neighbors(f);
     const auto neighbors = facets_.neighbors(f);
     for (std::uint32_t i = 0; i < 4; ++i) {
       const FacetIndex g = facet_of(neighbors[i]);
@@ -210,7 +218,7 @@ void Worker::find_horizon(Site apex, FacetIndex seen) {
 void Worker::collect_orphans(Site apex) {
   orphans_.clear();
   for (const FacetIndex f : visible_) {
-    for (Site q = facets_.farthest(f); q != kNone; q = conflicts_[q].next) {
+    for (Site q = facets_.farthest(f); q != kNone; q = conflict(q).next) {
       if (q != apex) orphans_.push_back(q);
     }
     facets_.farthest(f) = kNone;
@@ -227,17 +235,16 @@ void Worker::number_horizon(Site apex) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Site s = r.corners[i];
       const std::size_t at = s == kAtInfinity ? sites_.size() : s;
-      if (number_stamp_[at] != stamp_) {
-        number_stamp_[at] = stamp_;
-        number_of_[at] = static_cast<std::uint32_t>(spokes_.size());
+      if (number_of_[at].stamp != stamp_) {
+        number_of_[at] = {stamp_, static_cast<std::uint32_t>(spokes_.size())};
         if (s == kAtInfinity) {
-          infinite_number_ = number_of_[at];
+          infinite_number_ = number_of_[at].number;
           spokes_.push_back({});
         } else {
           spokes_.push_back(hull::lifted_difference(sites_[s], sites_[apex]));
         }
       }
-      numbers[i] = number_of_[at];
+      numbers[i] = number_of_[at].number;
     }
     local_.push_back(numbers);
   }
@@ -321,7 +328,7 @@ void Worker::link_large_cone() {
 /// Hands each orphan to a facet of the cone that it sees; there is one, because an orphan saw a
 /// facet that is gone and still lies outside the hull.
 void Worker::reassign_conflicts(Site apex) {
-  conflicts_[apex].facet = kNone;
+  conflict(apex).facet = kNone;
   for (const Site q : orphans_) {
     const auto clearly_seen = [&](FacetIndex f) {
       const Facets::Height h = facets_.height(f, q);
@@ -340,12 +347,12 @@ void Worker::reassign_conflicts(Site apex) {
 /// Puts q into f's conflict set: first if it is the farthest, else second.
 void Worker::add_conflict(Site q, FacetIndex f, double height) {
   Site& first = facets_.farthest(f);
-  if (first == kNone || height > conflicts_[first].height) {
-    conflicts_[q] = {f, first, height};
+  if (first == kNone || height > conflict(first).height) {
+    conflict(q) = {f, first, height};
     first = q;
   } else {
-    conflicts_[q] = {f, conflicts_[first].next, height};
-    conflicts_[first].next = q;
+    conflict(q) = {f, conflict(first).next, height};
+    conflict(first).next = q;
   }
 }
 
@@ -485,7 +492,7 @@ LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& 
   for (const VertexId v : order.vertices) sites.push_back(points[+v]);
   const FirstSimplex simplex = first_simplex(sites);
   if (simplex.size < 4) return {};
-  Worker worker(sites, order.round_begin, std::ldexp(1.0, unit_exponent(sites)));
+  Worker worker(sites, std::ldexp(1.0, unit_exponent(sites)));
   worker.run(simplex.corners, options.progress);
   return worker.result(order.vertices);
 }
