@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "kernel/large_array.h"
 #include "kernel/lifted_hull.h"
 
 namespace tetsculpt {
 
 TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options) {
+  const LargeArrayReuse reuse;
   LiftedHull hull = lifted_hull(points.points, {.progress = options.progress});
   if (hull.tets.empty()) return {};
   return TetComplex(std::move(hull), points.points.size());

@@ -66,8 +66,24 @@ FacetIndex Facets::append() {
   return static_cast<FacetIndex>(planes_.size() - 1);
 }
 
-void Facets::set_hyperplane(FacetIndex f, const LiftedDifference* a, const LiftedDifference* b,
-                            const LiftedDifference* c) {
+bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
+  constexpr std::size_t kBlock = 256;  // so that threads seldom wait for each other
+  const std::lock_guard lock(growing_);
+  const std::size_t begin = planes_.size();
+  const std::size_t end = begin + std::max(count, kBlock);
+  if (end > kNone / 4) throw std::length_error("more than 2^30 tetrahedra");
+  if (shared_ &&
+      end > std::min({planes_.capacity(), neighbors_.capacity(), farthest_.capacity()})) {
+    return false;
+  }
+  planes_.resize(end);
+  neighbors_.resize(end, {kNone, kNone, kNone, kNone});
+  farthest_.resize(end, kNone);
+  for (std::size_t f = end; f-- > begin;) free.push_back(static_cast<FacetIndex>(f));
+  return true;
+}
+
+void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c) {
   // A cyclic exchange keeps the orientation: bring the site at infinity last.
   if (!a) {
     a = b, b = c, c = nullptr;
@@ -75,40 +91,40 @@ void Facets::set_hyperplane(FacetIndex f, const LiftedDifference* a, const Lifte
     b = a, a = c, c = nullptr;
   }
   Hyperplane& n = planes_[f];
-  const double xy = a->x * b->y - a->y * b->x;
-  const double yz = a->y * b->z - a->z * b->y;
-  const double zx = a->z * b->x - a->x * b->z;
-  const double lengths_ab = std::sqrt(a->w * b->w);
+  const LiftedDifference& p = a->to;
+  const LiftedDifference& q = b->to;
+  const double xy = p.x * q.y - p.y * q.x;
+  const double yz = p.y * q.z - p.z * q.y;
+  const double zx = p.z * q.x - p.x * q.z;
   if (!c) {
     n.nx = -yz;
     n.ny = -zx;
     n.nz = -xy;
     n.nw = 0;
-    n.error = 10 * kUnit * lengths_ab / kNoExtent;
+    n.error = 10 * kUnit * (a->length * b->length) / kNoExtent;
     n.extent = kNoExtent;
     return;
   }
-  const double xw = a->x * b->w - a->w * b->x;
-  const double yw = a->y * b->w - a->w * b->y;
-  const double zw = a->z * b->w - a->w * b->z;
-  const double length_c = std::sqrt(c->w);
-  const double product = lengths_ab * length_c;
-  const double sum = std::sqrt(a->w) + std::sqrt(b->w) + length_c;
-  n.nx = -(yz * c->w - yw * c->z + zw * c->y);
-  n.ny = -(zx * c->w - zw * c->x + xw * c->z);
-  n.nz = -(xy * c->w - xw * c->y + yw * c->x);
-  n.nw = xy * c->z + yz * c->x + zx * c->y;
-  n.error = 22 * kUnit * product * reach_;
-  n.extent = std::max(static_cast<float>((1 + FLT_EPSILON) * sum * per_reach_), FLT_MIN);
+  const LiftedDifference& r = c->to;
+  const double xw = p.x * q.w - p.w * q.x;
+  const double yw = p.y * q.w - p.w * q.y;
+  const double zw = p.z * q.w - p.w * q.z;
+  n.nx = -(yz * r.w - yw * r.z + zw * r.y);
+  n.ny = -(zx * r.w - zw * r.x + xw * r.z);
+  n.nz = -(xy * r.w - xw * r.y + yw * r.x);
+  n.nw = xy * r.z + yz * r.x + zx * r.y;
+  n.error = 22 * kUnit * (a->length * b->length * c->length) * reach_;
+  const double sum = (a->length + b->length + c->length) * per_reach_;
+  n.extent = std::max(static_cast<float>((1 + FLT_EPSILON) * sum), FLT_MIN);
 }
 
 void Facets::set_hyperplane(FacetIndex f) {
-  std::array<LiftedDifference, 4> d;
-  std::array<const LiftedDifference*, 4> to{};
+  std::array<Spoke, 4> spokes;
+  std::array<const Spoke*, 4> to{};
   for (std::uint32_t i = 1; i < 4; ++i) {
     if (corners(f)[i] == kAtInfinity) continue;
-    d[i] = difference(f, corners(f)[i]);
-    to[i] = &d[i];
+    spokes[i] = spoke(sites_[corners(f)[i]], sites_[corners(f)[0]]);
+    to[i] = &spokes[i];
   }
   set_hyperplane(f, to[1], to[2], to[3]);
 }

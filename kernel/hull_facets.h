@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -13,7 +15,7 @@
 /// conflict sets. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
-/// A site is a point's place in the order of insertion; a facet's index is stable while it lives.
+/// A site is a vertex id, bare; a facet's index is stable while it lives.
 using Site = std::uint32_t;
 using FacetIndex = std::uint32_t;
 inline constexpr std::uint32_t kNone = 0xffffffffu;
@@ -32,6 +34,12 @@ struct LiftedDifference {
   double y;
   double z;
   double w;
+};
+
+/// From a cone's apex to one of its other corners.
+struct Spoke {
+  LiftedDifference to;
+  double length;
 };
 
 /// A facet's lifted hyperplane through its first corner p. The value of
@@ -67,6 +75,15 @@ class Facets {
   void reserve(std::size_t n);
   /// Appends an unlinked facet without a hyperplane.
   FacetIndex append();
+  /// Appends at least so many to a list. While shared, facets may not move in memory: false if they
+  /// would have to.
+  bool append(std::size_t count, std::vector<FacetIndex>& free);
+  /// Between these, several threads may append.
+  void share() { shared_ = true; }
+  void unshare() { shared_ = false; }
+
+  /// Gives the memory of corners and hyperplanes away; only neighbours are left.
+  void release_hyperplanes() { planes_ = LargeArray<Hyperplane>(); }
 
   std::array<Site, 4>& corners(FacetIndex f) { return planes_[f].corners; }
   const std::array<Site, 4>& corners(FacetIndex f) const { return planes_[f].corners; }
@@ -80,16 +97,16 @@ class Facets {
   /// The corner at infinity, or 4 if the facet is finite.
   std::uint32_t infinite_corner(FacetIndex f) const;
 
-  /// Sets the hyperplane through the facet's first corner and three others at these differences
-  /// from it, in the order of the corners; a null pointer stands for the site at infinity.
-  void set_hyperplane(FacetIndex f, const LiftedDifference* a, const LiftedDifference* b,
-                      const LiftedDifference* c);
+  /// Sets the hyperplane through the facet's first corner and three others, in their order; a null
+  /// pointer stands for the site at infinity.
+  void set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c);
   /// Computes the differences, too.
   void set_hyperplane(FacetIndex f);
 
-  /// Starts to fetch what tests of the facets across all ridges of f will read.
-  void prefetch_neighbors(FacetIndex f) const {
-    for (const Ridge r : neighbors_[f]) __builtin_prefetch(&planes_[facet_of(r)]);
+  /// Starts to fetch what a visibility test and what follows it will read.
+  void prefetch(FacetIndex f) const {
+    __builtin_prefetch(&planes_[f]);
+    __builtin_prefetch(&neighbors_[f]);
   }
 
   LiftedDifference difference(FacetIndex f, Site q) const;
@@ -112,6 +129,8 @@ class Facets {
   bool coplanar_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
+  bool shared_ = false;
+  std::mutex growing_;
   double reach_;                 ///< as large as the set, a power of two
   double per_reach_;             ///< 1 / reach_
   double exact_below_;           ///< error of a finite facet's height below which it has none
@@ -128,6 +147,11 @@ inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
   return {x, y, z, x * x + y * y + z * z};
 }
 
+inline Spoke spoke(const Point3& q, const Point3& p) {
+  const LiftedDifference d = lifted_difference(q, p);
+  return {d, std::sqrt(d.w)};
+}
+
 inline std::uint32_t Facets::infinite_corner(FacetIndex f) const {
   const auto& c = planes_[f].corners;
   return c[1] == kAtInfinity ? 1 : c[2] == kAtInfinity ? 2 : c[3] == kAtInfinity ? 3 : 4;
@@ -140,7 +164,7 @@ inline LiftedDifference Facets::difference(FacetIndex f, Site q) const {
 inline Facets::Height Facets::height(FacetIndex f, Site q) const {
   const LiftedDifference d = difference(f, q);
   const Hyperplane& n = planes_[f];
-  const double along = (d.x < 0 ? -d.x : d.x) + (d.y < 0 ? -d.y : d.y) + (d.z < 0 ? -d.z : d.z);
+  const double along = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
   return {n.nx * d.x + n.ny * d.y + n.nz * d.z + n.nw * d.w,
           n.error * (static_cast<double>(n.extent) * along + d.w * per_reach_)};
 }

@@ -7,7 +7,7 @@
 #include "kernel/large_array.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cstdint>
 #include <limits>
 #include <new>
 
@@ -21,38 +21,87 @@ namespace {
 constexpr std::size_t kPage = std::size_t{2} << 20;
 /// In front of every array: the size of its block, and room to keep the array's alignment.
 constexpr std::size_t kHeader = 64;
+[[maybe_unused]] constexpr std::align_val_t kAlignment{kHeader};
 
 /// Only a place to keep memory, of this thread alone.
 thread_local LargeArrayReuse* reuse = nullptr;
 
 std::size_t& size_of(void* block) { return *static_cast<std::size_t*>(block); }
 
-/// A wish that the system may ignore.
-void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t bytes) {
-#ifdef MADV_HUGEPAGE
-  madvise(block, bytes, MADV_HUGEPAGE);
-#endif
-}
+#if __has_include(<sys/mman.h>)
+
+/// Pages can be given back one by one: a block may be cut in two.
+constexpr bool kDivisible = true;
+
+void give_back(void* block, std::size_t bytes) noexcept { munmap(block, bytes); }
 
 void* new_block(std::size_t bytes) {
-  void* const block = std::aligned_alloc(kPage, bytes);
-  if (!block) throw std::bad_alloc();
-  ask_for_large_pages(block, bytes);
+  // A page more, to cut off what is not aligned.
+  void* const mapped =
+      mmap(nullptr, bytes + kPage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
+  const std::size_t ahead = kPage - reinterpret_cast<std::uintptr_t>(mapped) % kPage;
+  char* const block = static_cast<char*>(mapped) + ahead;
+  give_back(mapped, ahead);
+  if (ahead != kPage) give_back(block + bytes, kPage - ahead);
+#ifdef MADV_HUGEPAGE
+  madvise(block, bytes, MADV_HUGEPAGE);  // a wish that the system may ignore
+#endif
   size_of(block) = bytes;
   return block;
 }
 
-/// The smallest kept block that is large enough, unless much of it would lie idle; else null.
+#else
+
+constexpr bool kDivisible = false;
+
+void give_back(void* block, std::size_t) noexcept { ::operator delete(block, kAlignment); }
+
+void* new_block(std::size_t bytes) {
+  void* const block = ::operator new(bytes, kAlignment);
+  size_of(block) = bytes;
+  return block;
+}
+
+#endif
+
+/// The smallest kept block that is large enough, less what is not needed of it; else null.
 void* take_kept(std::vector<void*>& kept, std::size_t bytes) {
   auto best = kept.end();
   for (auto it = kept.begin(); it != kept.end(); ++it) {
-    if (size_of(*it) < bytes || size_of(*it) > 2 * bytes + kPage) continue;
+    if (size_of(*it) < bytes) continue;
     if (best == kept.end() || size_of(*it) < size_of(*best)) best = it;
   }
   if (best == kept.end()) return nullptr;
   void* const block = *best;
-  *best = kept.back();
-  kept.pop_back();
+  const std::size_t rest = size_of(block) - bytes;
+  if (kDivisible && rest > 0) {
+    *best = static_cast<char*>(block) + bytes;
+    size_of(*best) = rest;
+    size_of(block) = bytes;
+  } else {
+    *best = kept.back();
+    kept.pop_back();
+  }
+  return block;
+}
+
+/// Makes one of a block and those that are kept on either side of it.
+void* merged(std::vector<void*>& kept, void* block) noexcept {
+  if (!kDivisible) return block;
+  for (std::size_t k = 0; k < kept.size();) {
+    char* const other = static_cast<char*>(kept[k]);
+    char* const mine = static_cast<char*>(block);
+    if (other + size_of(other) != mine && mine + size_of(mine) != other) {
+      ++k;
+      continue;
+    }
+    const std::size_t sum = size_of(other) + size_of(mine);
+    block = std::min(other, mine);
+    size_of(block) = sum;
+    kept[k] = kept.back();
+    kept.pop_back();
+  }
   return block;
 }
 
@@ -64,7 +113,7 @@ LargeArrayReuse::LargeArrayReuse() {
 
 LargeArrayReuse::~LargeArrayReuse() {
   if (reuse == this) reuse = nullptr;
-  for (void* const block : kept_) std::free(block);
+  for (void* const block : kept_) give_back(block, size_of(block));
 }
 
 void* allocate_large(std::size_t bytes) {
@@ -76,12 +125,13 @@ void* allocate_large(std::size_t bytes) {
 }
 
 void free_large(void* memory) noexcept {
-  void* const block = static_cast<char*>(memory) - kHeader;
-  if (!reuse) return std::free(block);
+  void* block = static_cast<char*>(memory) - kHeader;
+  if (!reuse) return give_back(block, size_of(block));
+  block = merged(reuse->kept_, block);
   try {
     reuse->kept_.push_back(block);
   } catch (const std::bad_alloc&) {
-    std::free(block);
+    give_back(block, size_of(block));
   }
 }
 

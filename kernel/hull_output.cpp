@@ -1,0 +1,183 @@
+#include "kernel/hull_output.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "kernel/large_array.h"
+#include "kernel/parallel.h"
+
+namespace tetsculpt::hull {
+namespace {
+
+using Corners = std::array<VertexId, 4>;
+
+/// Where corner i of a facet goes when they are put in order: bits 2 i and 2 i + 1.
+using Places = std::uint8_t;
+
+std::uint32_t place(Places places, std::uint32_t corner) { return (places >> (2 * corner)) & 3; }
+
+struct Ordered {
+  Corners corners;
+  Places places;
+};
+
+/// Puts corners in ascending order, infinity last; the last two change places if that keeps the
+/// orientation.
+Ordered in_order(const std::array<Site, 4>& corners) {
+  std::array<std::uint64_t, 4> keys;
+  for (std::size_t i = 0; i < 4; ++i) keys[i] = std::uint64_t{corners[i]} << 2 | i;
+  bool odd = false;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    const bool swap = keys[i] > keys[j];
+    const std::uint64_t low = swap ? keys[j] : keys[i];
+    keys[j] = swap ? keys[i] : keys[j];
+    keys[i] = low;
+    odd ^= swap;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+  if (odd) std::swap(keys[2], keys[3]);
+  Ordered result{{}, 0};
+  for (std::size_t k = 0; k < 4; ++k) {
+    result.corners[k] = VertexId{static_cast<std::uint32_t>(keys[k] >> 2)};
+    result.places = static_cast<Places>(result.places | k << (2 * (keys[k] & 3)));
+  }
+  return result;
+}
+
+class Output {
+ public:
+  Output(Facets& facets, std::span<const FacetIndex> free, std::size_t site_count, int threads)
+      : facets_(facets),
+        threads_(threads),
+        facet_count_(facets.size()),
+        count_(facets.size() - free.size()),
+        first_(2 * site_count + 1, 0) {
+    for (const FacetIndex f : free) facets_.corners(f)[0] = kNone;
+  }
+
+  LiftedHull run() {
+    LiftedHull hull;
+    count_buckets();
+    hull.finite_count = first_[first_.size() / 2];
+    hull.tets.resize(count_);
+    scatter(hull.tets);
+    facets_.release_hyperplanes();
+    sort_buckets(hull.tets);
+    hull.neighbors.resize(count_);
+    write_neighbors(hull.neighbors);
+    return hull;
+  }
+
+ private:
+  bool lives(FacetIndex f) const { return facets_.corners(f)[0] != kNone; }
+  /// One bucket per lowest corner; those of infinite facets come after all others.
+  std::size_t bucket(FacetIndex f) const {
+    const auto& c = facets_.corners(f);
+    const std::size_t lowest = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
+    return facets_.infinite_corner(f) == 4 ? lowest : lowest + first_.size() / 2;
+  }
+  template <class Visit>
+  void for_each_living(Visit&& visit) const {
+    parallel_ranges(facet_count_, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        if (lives(static_cast<FacetIndex>(f))) visit(static_cast<FacetIndex>(f));
+      }
+    });
+  }
+
+  void count_buckets() {
+    for_each_living([&](FacetIndex f) {
+      std::atomic_ref(first_[bucket(f)]).fetch_add(1, std::memory_order_relaxed);
+    });
+    std::exclusive_scan(first_.begin(), first_.end(), first_.begin(), 0u);
+  }
+
+  /// Puts facets into their buckets, and the ends of the buckets into first_.
+  void scatter(LargeArray<Corners>& tets) {
+    facet_at_.resize(count_);
+    places_.resize(facet_count_);
+    for_each_living([&](FacetIndex f) {
+      const std::uint32_t at =
+          std::atomic_ref(first_[bucket(f)]).fetch_add(1, std::memory_order_relaxed);
+      const Ordered ordered = in_order(facets_.corners(f));
+      tets[at] = ordered.corners;
+      places_[f] = ordered.places;
+      facet_at_[at] = f;
+    });
+  }
+
+  void sort_buckets(LargeArray<Corners>& tets) {
+    index_.resize(facet_count_);
+    parallel_ranges(first_.size() - 1, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) {
+        sort_bucket(tets, b == 0 ? 0 : first_[b - 1], first_[b]);
+      }
+    });
+  }
+
+  void sort_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
+    constexpr std::uint32_t kFew = 64;
+    if (end - begin > kFew) {
+      sort_large_bucket(tets, begin, end);
+    } else {
+      for (std::uint32_t i = begin + 1; i < end; ++i) {
+        const Corners corners = tets[i];
+        const FacetIndex f = facet_at_[i];
+        std::uint32_t k = i;
+        for (; k > begin && corners < tets[k - 1]; --k) {
+          tets[k] = tets[k - 1];
+          facet_at_[k] = facet_at_[k - 1];
+        }
+        tets[k] = corners;
+        facet_at_[k] = f;
+      }
+    }
+    for (std::uint32_t i = begin; i < end; ++i) index_[facet_at_[i]] = i;
+  }
+
+  void sort_large_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
+    std::vector<std::pair<Corners, FacetIndex>> items;
+    for (std::uint32_t i = begin; i < end; ++i) items.emplace_back(tets[i], facet_at_[i]);
+    std::sort(items.begin(), items.end());
+    for (std::uint32_t i = begin; i < end; ++i) {
+      std::tie(tets[i], facet_at_[i]) = items[i - begin];
+    }
+  }
+
+  void write_neighbors(LargeArray<std::array<FacetHandle, 4>>& neighbors) const {
+    parallel_ranges(count_, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const FacetIndex f = facet_at_[t];
+        for (std::uint32_t i = 0; i < 4; ++i) {
+          const Ridge r = facets_.neighbors(f)[i];
+          const FacetIndex g = facet_of(r);
+          neighbors[t][place(places_[f], i)] = 4 * index_[g] + place(places_[g], corner_of(r));
+        }
+      }
+    });
+  }
+
+  Facets& facets_;
+  int threads_;
+  std::size_t facet_count_;  ///< living and dead
+  std::size_t count_;
+  LargeArray<std::uint32_t> first_;  ///< per bucket
+  LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron of the result
+  LargeArray<std::uint32_t> index_;  ///< per facet that lives, its tetrahedron
+  LargeArray<Places> places_;        ///< per facet that lives
+};
+
+}  // namespace
+
+LiftedHull output(Facets& facets, std::span<const FacetIndex> free, std::size_t site_count,
+                  int threads) {
+  return Output(facets, free, site_count, threads).run();
+}
+
+}  // namespace tetsculpt::hull
