@@ -9,7 +9,8 @@ namespace tetsculpt {
 
 TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options) {
   const LargeArrayReuse reuse;
-  LiftedHull hull = lifted_hull(points.points, {.progress = options.progress});
+  LiftedHull hull =
+      lifted_hull(points.points, {.threads = options.threads, .progress = options.progress});
   if (hull.tets.empty()) return {};
   return TetComplex(std::move(hull), points.points.size());
 }

@@ -9,6 +9,7 @@
 namespace tetsculpt {
 
 struct DelaunayOptions {
+  int threads = 1;  ///< at most so many; the result does not depend on it
   /// Told now and then which share of the points is in, from 0 to 1.
   std::function<void(double)> progress = {};
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "kernel/predicates.h"
 
@@ -16,22 +17,29 @@ constexpr std::size_t kLargeCone =
 
 }  // namespace
 
-Inserter::Inserter(std::span<const Point3> points, Facets& facets, SiteRange own, FacetIndex start)
+Inserter::Inserter(std::span<const Point3> points, Facets& facets)
     : points_(points),
       facets_(facets),
-      own_(own),
-      last_(start),
       number_of_(points.size() + 1, Number{0, 0}),
       half_ridge_(kLargeCone * kLargeCone) {}
 
-void Inserter::take_over(std::span<const Inserter> others) {
-  own_ = {};
-  deferred_.clear();
-  for (const Inserter& other : others) {
-    if (&other == this) continue;
-    free_.insert(free_.end(), other.free_.begin(), other.free_.end());
-    stamp_ = std::max(stamp_, other.stamp_);
-  }
+Inserter Inserter::helper(SiteRange own) {
+  Inserter helper(points_, facets_);
+  helper.own_ = own;
+  helper.stamp_ = stamp_;
+  for (const FacetIndex f : free_) facets_.corners(f).fill(kNone);
+  helper.free_ = std::exchange(free_, {});
+  helper.last_ = 0;
+  const auto usable = [&](FacetIndex f) { return facets_.corners(f)[0] != kNone && helper.own(f); };
+  while (helper.last_ < facets_.size() && !usable(helper.last_)) ++helper.last_;
+  if (helper.last_ == facets_.size()) helper.last_ = kNone;
+  return helper;
+}
+
+void Inserter::take_over(const Inserter& helper) {
+  free_.insert(free_.end(), helper.free_.begin(), helper.free_.end());
+  stamp_ = std::max(stamp_, helper.stamp_);
+  if (helper.last_ != kNone) last_ = helper.last_;
 }
 
 bool Inserter::own(FacetIndex f) const {
@@ -261,6 +269,7 @@ void Inserter::add_conflict(Slot k, FacetIndex f) {
 /// the walk leaves the range.
 FacetIndex Inserter::locate(Site q) const {
   FacetIndex f = last_;
+  if (f == kNone) return kNone;
   if (const auto i = facets_.infinite_corner(f); i != 4) {
     if (facets_.visible(f, q)) return f;
     f = facet_of(facets_.neighbors(f)[i]);

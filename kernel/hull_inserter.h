@@ -29,8 +29,12 @@ class Inserter {
   /// How many points may be in conflict sets at a time.
   static constexpr std::size_t kBatch = 16;
 
-  /// Begins to search at `start`, a facet that lives and whose corners are in the range.
-  Inserter(std::span<const Point3> points, Facets& facets, SiteRange own, FacetIndex start);
+  /// With all sites for its range. Facet 0 lives.
+  Inserter(std::span<const Point3> points, Facets& facets);
+  /// One with a range of its own that goes on from here, as this one can only by take_over().
+  Inserter helper(SiteRange own);
+  /// Goes on from where a helper ended.
+  void take_over(const Inserter& helper);
 
   /// Inserts at most kBatch points, but for those that need facets outside of the range or more
   /// memory than the store has: they are added to deferred().
@@ -38,8 +42,6 @@ class Inserter {
   const std::vector<Site>& deferred() const { return deferred_; }
   /// Facets that died without a successor.
   const std::vector<FacetIndex>& free() const { return free_; }
-  /// Goes on where others were: with all sites, their free facets, and the marks they left.
-  void take_over(std::span<const Inserter> others);
 
  private:
   /// A place in the batch.
@@ -76,7 +78,7 @@ class Inserter {
   std::span<const Point3> points_;
   Facets& facets_;
   SiteRange own_;
-  FacetIndex last_;  ///< lives, and its corners are in the range
+  FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
   std::vector<FacetIndex> free_;
   std::vector<Site> deferred_;

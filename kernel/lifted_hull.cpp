@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "kernel/distinct_points.h"
 #include "kernel/first_simplex.h"
@@ -25,6 +26,8 @@
 #include "kernel/hull_inserter.h"
 #include "kernel/hull_output.h"
 #include "kernel/insertion_order.h"
+#include "kernel/large_array.h"
+#include "kernel/parallel.h"
 
 namespace tetsculpt {
 namespace {
@@ -69,40 +72,112 @@ void make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
   for (FacetIndex f = 0; f < 5; ++f) facets.set_hyperplane(f);
 }
 
-/// The order of insertion without the corners of the first simplex.
-LargeArray<Site> sites_to_insert(const InsertionOrder& order, const std::array<Site, 4>& simplex) {
+/// What is to be inserted, round after round.
+struct Rounds {
   LargeArray<Site> sites;
-  sites.reserve(order.vertices.size());
-  for (const VertexId v : order.vertices) {
-    const auto s = static_cast<Site>(+v);
-    if (std::ranges::find(simplex, s) == simplex.end()) sites.push_back(s);
+  std::vector<std::size_t> begin;  ///< per round, and the end
+
+  std::size_t count() const { return begin.size() - 1; }
+  std::span<const Site> operator[](std::size_t r) const {
+    return std::span(sites).subspan(begin[r], begin[r + 1] - begin[r]);
   }
-  return sites;
+};
+
+/// All sites but the corners of the first simplex.
+Rounds rounds_without(const std::array<Site, 4>& simplex, std::size_t site_count) {
+  const InsertionOrder order = insertion_order(site_count);
+  Rounds rounds{{}, {0}};
+  rounds.sites.reserve(site_count);
+  for (std::size_t r = 0; r + 1 < order.round_begin.size(); ++r) {
+    for (std::size_t k = order.round_begin[r]; k < order.round_begin[r + 1]; ++k) {
+      const auto s = static_cast<Site>(+order.vertices[k]);
+      if (std::ranges::find(simplex, s) == simplex.end()) rounds.sites.push_back(s);
+    }
+    rounds.begin.push_back(rounds.sites.size());
+  }
+  return rounds;
 }
 
-void insert_all(Inserter& inserter, std::span<const Site> sites,
-                const std::function<void(double)>& progress) {
-  constexpr std::size_t kReportEvery = 4096 * Inserter::kBatch;
-  for (std::size_t k = 0; k < sites.size(); k += Inserter::kBatch) {
-    inserter.insert(sites.subspan(k, std::min(Inserter::kBatch, sites.size() - k)));
-    if (progress && k % kReportEvery == 0) {
-      progress(static_cast<double>(k) / static_cast<double>(sites.size()));
+class Construction {
+ public:
+  Construction(std::span<const Point3> points, const std::array<Site, 4>& simplex,
+               const LiftedHullOptions& options)
+      : points_(points),
+        options_(options),
+        facets_(points, std::ldexp(1.0, unit_exponent(points))),
+        inserter_(points, facets_) {
+    facets_.reserve(9 * points.size() + 64);
+    make_simplex(facets_, simplex);
+  }
+
+  void insert(const Rounds& rounds) {
+    for (std::size_t r = 0; r < rounds.count(); ++r) {
+      const std::span<const Site> round = rounds[r];
+      const std::size_t threads = std::min(static_cast<std::size_t>(std::max(options_.threads, 1)),
+                                           round.size() / kWorthAThread);
+      if (threads < 2) {
+        insert(round, inserter_, options_.progress);
+      } else {
+        insert_in_parallel(round, threads);
+      }
+      done_ += round.size();
     }
   }
-}
+
+  LiftedHull result() {
+    return hull::output(facets_, inserter_.free(), points_.size(), options_.threads);
+  }
+
+ private:
+  /// Rounds of fewer points per thread are one thread's.
+  static constexpr std::size_t kWorthAThread = 8192;
+
+  void insert(std::span<const Site> sites, Inserter& inserter,
+              const std::function<void(double)>& progress) const {
+    constexpr std::size_t kReportEvery = 4096 * Inserter::kBatch;
+    for (std::size_t k = 0; k < sites.size(); k += Inserter::kBatch) {
+      inserter.insert(sites.subspan(k, std::min(Inserter::kBatch, sites.size() - k)));
+      if (progress && k % kReportEvery == 0) {
+        progress(static_cast<double>(done_ + k) / static_cast<double>(points_.size()));
+      }
+    }
+  }
+
+  /// Each thread inserts a stretch of the curve, as far as it meets no other's; what is left comes
+  /// after.
+  void insert_in_parallel(std::span<const Site> round, std::size_t threads) {
+    const auto cut = [&](std::size_t t) { return round.size() * t / threads; };
+    std::vector<Inserter> inserters;
+    for (std::size_t t = 0; t < threads; ++t) {
+      const hull::SiteRange own{t == 0 ? 0 : round[cut(t)],
+                                t + 1 == threads ? kAtInfinity : round[cut(t + 1)]};
+      inserters.push_back(inserter_.helper(own));
+    }
+    facets_.share();
+    parallel_each(threads, [&](std::size_t t) {
+      insert(round.subspan(cut(t), cut(t + 1) - cut(t)), inserters[t],
+             t == 0 ? options_.progress : std::function<void(double)>());
+    });
+    facets_.unshare();
+    for (const Inserter& helper : inserters) inserter_.take_over(helper);
+    for (const Inserter& helper : inserters) insert(helper.deferred(), inserter_, {});
+  }
+
+  std::span<const Point3> points_;
+  const LiftedHullOptions& options_;
+  Facets facets_;
+  Inserter inserter_;
+  std::size_t done_ = 0;
+};
 
 }  // namespace
 
 LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options) {
   const FirstSimplex simplex = first_simplex(points);
   if (simplex.size < 4) return {};
-  const LargeArray<Site> sites = sites_to_insert(insertion_order(points.size()), simplex.corners);
-  Facets facets(points, std::ldexp(1.0, unit_exponent(points)));
-  facets.reserve(9 * points.size() + 64);
-  make_simplex(facets, simplex.corners);
-  Inserter inserter(points, facets, {}, 0);
-  insert_all(inserter, sites, options.progress);
-  return hull::output(facets, inserter.free(), points.size());
+  Construction construction(points, simplex.corners, options);
+  construction.insert(rounds_without(simplex.corners, points.size()));
+  return construction.result();
 }
 
 }  // namespace tetsculpt

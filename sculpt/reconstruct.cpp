@@ -102,7 +102,8 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
   Reconstruction out;
   Stopwatch watch;
   const DistinctPoints distinct = distinct_points(points);
-  const TetComplex complex = delaunay(distinct, {.progress = stage_progress(options, "delaunay")});
+  const TetComplex complex = delaunay(
+      distinct, {.threads = options.threads, .progress = stage_progress(options, "delaunay")});
   out.counts.vertices = distinct.points.size();
   out.counts.tetrahedra = complex.finite_tet_count();
   out.seconds.delaunay = watch.lap();

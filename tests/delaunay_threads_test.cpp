@@ -1,0 +1,62 @@
+// The hull is bit for bit the same with any number of threads.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "kernel/distinct_points.h"
+#include "kernel/lifted_hull.h"
+#include "tests/support/point_sets.h"
+
+namespace tetsculpt {
+namespace {
+
+struct Set {
+  std::string name;
+  std::vector<Point3> points;
+};
+
+/// Large enough for the last rounds to be shared among threads.
+std::vector<Set> large_sets() {
+  return {{"cube, seed 1", point_sets::uniform_cube(60000, 1)},
+          {"bumpy sphere, seed 2", point_sets::bumpy_sphere(40000, 2)},
+          {"torus, seed 3", point_sets::random_torus(30000, 3)},
+          {"clusters, seed 4", point_sets::clusters(30000, 4)},
+          {"lattice of side 40, seed 5", point_sets::random_lattice(50000, 40, 5)},
+          {"grid of side 32", point_sets::grid(32)}};
+}
+
+TEST_CASE("the same tetrahedra in the same order, with the same neighbours") {
+  for (const Set& set : large_sets()) {
+    const std::vector<Point3> points = distinct_points(set.points).points;
+    const LiftedHull expected = lifted_hull(points);
+    REQUIRE(expected.finite_count > 0);
+    for (const int threads : {2, 3, 7}) {
+      CAPTURE(set.name);
+      CAPTURE(threads);
+      const LiftedHull hull = lifted_hull(points, {.threads = threads});
+      CHECK(hull.finite_count == expected.finite_count);
+      CHECK((hull.tets == expected.tets));
+      CHECK((hull.neighbors == expected.neighbors));
+    }
+  }
+}
+
+TEST_CASE("progress never falls, told by the caller's thread alone") {
+  const std::vector<Point3> points = distinct_points(point_sets::uniform_cube(200000, 6)).points;
+  double last = 0;
+  std::size_t falls = 0;
+  std::size_t calls = 0;
+  const auto progress = [&](double done) {
+    falls += done < last;
+    last = done;
+    ++calls;
+  };
+  lifted_hull(points, {.threads = 2, .progress = progress});
+  CHECK(falls == 0);
+  CHECK(calls > 2);
+  CHECK(last <= 1);
+}
+
+}  // namespace
+}  // namespace tetsculpt
