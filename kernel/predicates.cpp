@@ -1,13 +1,13 @@
-// Each predicate is a polynomial in differences of coordinates, decided in three stages:
+// Each predicate is a polynomial in differences of coordinates, decided in four stages:
 //   1. in doubles, with an error bound relative to the polynomial's permanent (all signs positive);
-//   2. exactly, but on the rounded differences: decides if no difference was rounded, or if the
-//   value
-//      exceeds what their rounding can change;
-//   3. exactly, on differences of two components.
+//   2. in 128-bit integers, where no difference is rounded and all fit;
+//   3. exactly, but on the rounded differences: decides if no difference was rounded, or if the
+//      value exceeds what their rounding can change;
+//   4. exactly, on differences of two components.
 //
 // Error bounds, with u = 2^-53. A value computed through at most k roundings along any path from
 // the inputs is off by at most ((1+u)^k - 1) P, P the permanent. The computed permanent is itself
-// at least (1-u)^k P, so (k+1) u times it covers both for every k here (k < 30). In stage 2 only
+// at least (1-u)^k P, so (k+1) u times it covers both for every k here (k < 30). In stage 3 only
 // the roundings of the differences count, one for each degree m; (m+2) u covers them and the
 // rounding of estimate().
 #include "kernel/predicates.h"
@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "kernel/expansion.h"
+#include "kernel/integer_differences.h"
 #include "kernel/vec3.h"
 
 #ifdef __FAST_MATH__
@@ -52,20 +53,10 @@ bool is_double(const Vec3<Expansion>& v) {
 template <class T, std::size_t N>
 using Differences = std::array<Vec3<T>, N>;
 
-/// The ladder. `Polynomial` gives value(differences) over doubles and expansions,
-/// permanent(absolute differences), kRoundings (k above) and kDegree (m above).
+/// Stages 3 and 4. Apart, for the room on the stack.
 template <class Polynomial, std::size_t N>
-Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
-  Differences<double, N> rounded;
-  Differences<double, N> magnitudes;
-  for (std::size_t i = 0; i < N; ++i) {
-    rounded[i] = rounded_difference(*points[i], origin);
-    magnitudes[i] = abs(rounded[i]);
-  }
-  const double value = Polynomial::value(rounded);
-  const double permanent = Polynomial::permanent(magnitudes);
-  if (std::fabs(value) > (Polynomial::kRoundings + 1) * kUnit * permanent) return sign_of(value);
-
+Sign decide_by_expansions(const std::array<const Point3*, N>& points, const Point3& origin,
+                          const Differences<double, N>& rounded, double permanent) {
   ExpansionArena arena;
   const auto expansions = [&](auto&& make) {
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -85,6 +76,28 @@ Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
     }
   }
   return Polynomial::value(exact).sign();
+}
+
+/// The ladder. `Polynomial` gives value(differences) over doubles and expansions,
+/// permanent(absolute differences), kRoundings (k above) and kDegree (m above).
+template <class Polynomial, std::size_t N>
+Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
+  Differences<double, N> rounded;
+  Differences<double, N> magnitudes;
+  for (std::size_t i = 0; i < N; ++i) {
+    rounded[i] = rounded_difference(*points[i], origin);
+    magnitudes[i] = abs(rounded[i]);
+  }
+  const double value = Polynomial::value(rounded);
+  const double permanent = Polynomial::permanent(magnitudes);
+  if (std::fabs(value) > (Polynomial::kRoundings + 1) * kUnit * permanent) return sign_of(value);
+  if (permanent == 0) return Sign::kZero;  // no product is but of zero: on a coordinate plane
+
+  if (const auto integers = integer_differences(points, origin, most_bits(Polynomial::kDegree))) {
+    const Int128 exact = Polynomial::value(*integers);
+    return exact > 0 ? Sign::kPositive : exact < 0 ? Sign::kNegative : Sign::kZero;
+  }
+  return decide_by_expansions<Polynomial>(points, origin, rounded, permanent);
 }
 
 struct Orient3d {
