@@ -43,7 +43,8 @@ void Inserter::take_over(const Inserter& helper) {
 }
 
 bool Inserter::own(FacetIndex f) const {
-  return std::ranges::all_of(facets_.corners(f), [&](Site s) { return own_.contains(s); });
+  return own_.all() ||
+         std::ranges::all_of(facets_.corners(f), [&](Site s) { return own_.contains(s); });
 }
 
 void Inserter::insert(std::span<const Site> batch) {

@@ -18,6 +18,7 @@ struct SiteRange {
   Site begin = 0;
   Site end = kAtInfinity;
   bool contains(Site s) const { return (s >= begin && s < end) || s == kAtInfinity; }
+  bool all() const { return begin == 0 && end == kAtInfinity; }
 };
 
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
