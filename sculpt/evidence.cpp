@@ -13,6 +13,7 @@
 // bench/RESULTS.md); none of them matters by more than two models within a factor of two.
 #include "sculpt/evidence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -78,9 +79,11 @@ Evidence weigh_evidence(std::span<const Point3> points, const TetComplex& comple
     for (const VertexId v : complex.vertices(TetId{i})) {
       const OrientedPoint& at = oriented[+v];
       const double along = dot(from_to(at.point, spheres.centre(TetId{i})), at.normal);
-      outward += along * std::fabs(along);
+      // In flat tetrahedra the centre is not as far from all corners, by rounding.
+      const double cosine = std::clamp(along / radius, -1.0, 1.0);
+      outward += cosine * std::fabs(cosine);
     }
-    evidence.inside_bias[i] -= static_cast<float>(kNormalWeight * outward / (radius * radius));
+    evidence.inside_bias[i] -= static_cast<float>(kNormalWeight * outward);
   }
   return evidence;
 }
