@@ -98,7 +98,7 @@ void compare_all(const std::vector<std::string>& arguments) {
     std::vector<Input> inputs = smooth_inputs();
     for (const Input& input : degenerate_inputs()) inputs.push_back(input);
     for (const Input& input : inputs) {
-      if (n / 2 <= input.most_points) {
+      if (n == 65'536 || n <= input.most_points) {
         compare(input.name, input.generate(std::min(n, input.most_points)), rounds);
       }
     }

@@ -175,6 +175,7 @@ class Construction {
 LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& options) {
   const FirstSimplex simplex = first_simplex(points);
   if (simplex.size < 4) return {};
+  const LargeArrayReuse reuse;
   Construction construction(points, simplex.corners, options);
   construction.insert(rounds_without(simplex.corners, points.size()));
   return construction.result();

@@ -12,7 +12,9 @@ foreach(
   predicates_barycentric_sign_test
   predicates_compare_lengths_test
   predicates_collinear_test
+  predicates_integer_stage_test
   predicates_symmetry_test
+  hull_facets_height_test
   perturbation_sphere_test
   perturbation_diametral_sphere_test
   perturbation_equatorial_sphere_test

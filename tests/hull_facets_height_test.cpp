@@ -1,0 +1,92 @@
+// A facet's height is never off by more than it says, and visibility is exact, on queries far off,
+// near and on the sphere.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/distinct_points.h"
+#include "kernel/hull_facets.h"
+#include "tests/support/exact_predicates.h"
+#include "tests/support/point_sets.h"
+
+namespace tetsculpt {
+namespace {
+
+using point_sets::Random;
+
+/// A tetrahedron and a query.
+using Scene = std::array<Point3, 5>;
+
+Point3 random_point(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+/// A point of the unit sphere, up to rounding.
+Point3 on_sphere(Random& random) {
+  for (;;) {
+    const Point3 p = random_point(random);
+    const double r = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+    if (r > 0.1) return {p.x / r, p.y / r, p.z / r};
+  }
+}
+
+Point3 on_lattice(Random& random, std::size_t side) {
+  const auto coordinate = [&] { return static_cast<double>(random.below(side)); };
+  return {coordinate(), coordinate(), coordinate()};
+}
+
+/// Anything, one sphere up to rounding, small and large lattices; at several scales and places.
+Scene random_scene(Random& random) {
+  Scene scene;
+  const std::size_t kind = random.below(5);
+  for (Point3& p : scene) {
+    p = kind == 0   ? random_point(random)
+        : kind == 1 ? on_sphere(random)
+        : kind == 2 ? on_lattice(random, 3)
+                    : on_lattice(random, kind == 3 ? 100 : 100'000);
+  }
+  if (random.below(4) == 0) scene[4].x *= 1e6;
+  const double scale = std::ldexp(1.0, static_cast<int>(random.below(250)) - 130);
+  const double away = random.below(2) == 0 ? 0 : 1000;
+  for (Point3& p : scene) p = {(p.x + away) * scale, p.y * scale, p.z * scale};
+  return scene;
+}
+
+TEST_CASE("heights and their errors against exact signs") {
+  Random random(3);
+  std::int64_t clear = 0, unclear = 0, ties = 0, wrong = 0;
+  for (int round = 0; round < 60'000; ++round) {
+    Scene p = random_scene(random);
+    const Sign volume = exact::orient3d(p[0], p[1], p[2], p[3]);
+    if (volume == Sign::kZero) continue;
+    if (volume == Sign::kNegative) std::swap(p[0], p[1]);
+    hull::Facets facets(p, std::ldexp(1.0, unit_exponent(p)));
+    const hull::FacetIndex f = facets.append();
+    facets.corners(f) = {0, 1, 2, 3};
+    facets.set_hyperplane(f);
+    const hull::Facets::Height h = facets.height(f, 4);
+    const Sign exact = exact::insphere(p[0], p[1], p[2], p[3], p[4]);
+    ties += exact == Sign::kZero;
+    if (std::fabs(h.value) > h.error) {
+      ++clear;
+      wrong += sign_of(h.value) != exact;
+    } else {
+      ++unclear;
+    }
+    bool corner = false;
+    for (std::size_t i = 0; i < 4; ++i) corner = corner || p[i] == p[4];
+    if (corner) continue;  // no point is given twice
+    const bool inside = exact::in_perturbed_sphere(p[0], p[1], p[2], p[3], p[4]).inside;
+    wrong += facets.visible(f, 4) != inside;
+  }
+  CHECK(wrong == 0);
+  CHECK(clear > 20'000);
+  CHECK(unclear > 5'000);
+  CHECK(ties > 1'000);
+}
+
+}  // namespace
+}  // namespace tetsculpt
