@@ -29,10 +29,15 @@ Inserter Inserter::helper(SiteRange own) {
   helper.stamp_ = stamp_;
   for (const FacetIndex f : free_) facets_.corners(f).fill(kNone);
   helper.free_ = std::exchange(free_, {});
-  helper.last_ = 0;
-  const auto usable = [&](FacetIndex f) { return facets_.corners(f)[0] != kNone && helper.own(f); };
-  while (helper.last_ < facets_.size() && !usable(helper.last_)) ++helper.last_;
-  if (helper.last_ == facets_.size()) helper.last_ = kNone;
+  // Begin at the end of the range's stretch of the curve where the points will.
+  helper.last_ = kNone;
+  Site first = kNone;
+  for (FacetIndex f = 0; f < facets_.size(); ++f) {
+    const Site lowest = std::ranges::min(facets_.corners(f));
+    if (lowest >= first || facets_.corners(f)[0] == kNone || !helper.own(f)) continue;
+    first = lowest;
+    helper.last_ = f;
+  }
   return helper;
 }
 
@@ -279,24 +284,28 @@ FacetIndex Inserter::locate(Site q) const {
   Facets::Height h = facets_.height(f, q);
   if (h.value > h.error) return f;
   double power = facets_.power(f, h);
+  bool at_border = false;  // of the range
   for (bool moved = true; moved;) {
     moved = false;
+    at_border = false;
     for (const Ridge r : facets_.neighbors(f)) {
       const FacetIndex g = facet_of(r);
       h = facets_.height(g, q);
-      if (h.value > h.error) return own(g) ? g : kNone;
-      if (facets_.infinite_corner(g) != 4) continue;
-      const double power_g = facets_.power(g, h);
-      if (power_g < power) {
-        if (!own(g)) return kNone;
-        f = g;
-        power = power_g;
-        moved = true;
-        break;
+      const bool seen = h.value > h.error;
+      const bool nearer = !seen && facets_.infinite_corner(g) == 4 && facets_.power(g, h) < power;
+      if (!seen && !nearer) continue;
+      if (!own(g)) {
+        at_border = true;
+        continue;
       }
+      if (seen) return g;
+      f = g;
+      power = facets_.power(g, h);
+      moved = true;
+      break;
     }
   }
-  return locate_exactly(q, f);
+  return at_border ? kNone : locate_exactly(q, f);
 }
 
 /// Visibility walk by exact orientations: ends in the tetrahedron that holds q, or beyond the hull.
