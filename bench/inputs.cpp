@@ -27,9 +27,13 @@ std::vector<Point3> lattice_sphere_of(std::size_t n) {
 
 }  // namespace
 
+Input surface_input() {
+  return {"bumpy_sphere", [](std::size_t n) { return point_sets::bumpy_sphere(n, kSeed); }};
+}
+
 std::vector<Input> smooth_inputs() {
   return {{"cube", [](std::size_t n) { return point_sets::uniform_cube(n, kSeed); }},
-          {"bumpy_sphere", [](std::size_t n) { return point_sets::bumpy_sphere(n, kSeed); }},
+          surface_input(),
           {"torus", [](std::size_t n) { return point_sets::random_torus(n, kSeed); }},
           {"clusters", [](std::size_t n) { return point_sets::clusters(n, kSeed); }}};
 }

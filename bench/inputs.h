@@ -17,6 +17,8 @@ struct Input {
   std::size_t most_points = 1 << 20;  ///< with more it takes too long to make or to work on
 };
 
+/// The closed surface on which whole reconstructions are compared.
+Input surface_input();
 /// Volumes and surfaces in general position.
 std::vector<Input> smooth_inputs();
 /// Sets that are full of ties, or whose complex is far from linear.

@@ -1,45 +1,31 @@
-// Time per stage and end to end, on random samples of surfaces and volumes, with fitted complexity.
-//   build/release/bench/bench_stages --benchmark_filter=delaunay
+// Time of the stages after the Delaunay (for that see delaunay.cpp) and end to end, on random
+// samples of surfaces and volumes, with fitted complexity.
+//   build/release/bench/bench_stages --benchmark_filter=graphs
 #include <benchmark/benchmark.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "bench/inputs.h"
 #include "kernel/delaunay.h"
 #include "kernel/emst.h"
 #include "kernel/gabriel.h"
 #include "sculpt/reconstruct.h"
-#include "support/point_sets.h"
 
-namespace tetsculpt {
+namespace tetsculpt::bench {
 namespace {
 
-using Generator = std::vector<Point3> (*)(std::size_t n, std::uint64_t seed);
-
-std::vector<Point3> grid_of(std::size_t n, std::uint64_t) {
-  std::size_t side = 1;
-  while (side * side * side < n) ++side;
-  return point_sets::grid(side);
+std::vector<Point3> points_of(const Input& input, const benchmark::State& state) {
+  return input.generate(static_cast<std::size_t>(state.range(0)));
 }
-
-constexpr std::uint64_t kSeed = 2000;
 
 void count_points(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
   state.SetComplexityN(state.range(0));
 }
 
-void run_delaunay(benchmark::State& state, Generator generate) {
-  const auto points = generate(static_cast<std::size_t>(state.range(0)), kSeed);
-  std::size_t tetrahedra = 0;
-  for (auto _ : state) tetrahedra = delaunay(distinct_points(points)).finite_tet_count();
-  state.counters["tetrahedra"] = static_cast<double>(tetrahedra);
-  count_points(state);
-}
-
-void run_graphs(benchmark::State& state, Generator generate) {
-  const auto distinct = distinct_points(generate(static_cast<std::size_t>(state.range(0)), kSeed));
+void run_graphs(benchmark::State& state, const Input& input) {
+  const auto distinct = distinct_points(points_of(input, state));
   const TetComplex complex = delaunay(distinct);
   for (auto _ : state) {
     const Flags gabriel = gabriel_edges(distinct.points, complex);
@@ -49,39 +35,39 @@ void run_graphs(benchmark::State& state, Generator generate) {
   count_points(state);
 }
 
-void run_reconstruct(benchmark::State& state, Generator generate, Method method) {
-  const auto points = generate(static_cast<std::size_t>(state.range(0)), kSeed);
+void run_reconstruct(benchmark::State& state, const Input& input, Method method) {
+  const auto points = points_of(input, state);
   for (auto _ : state) benchmark::DoNotOptimize(reconstruct(points, {.method = method}));
   count_points(state);
 }
+
+constexpr std::int64_t kMostPoints = 1 << 18;
 
 template <class... Arguments>
 void add(const std::string& name, Arguments... arguments) {
   benchmark::RegisterBenchmark(name.c_str(), arguments...)
       ->RangeMultiplier(4)
-      ->Range(1 << 10, 1 << 18)
+      ->Range(1 << 10, kMostPoints)
       ->Unit(benchmark::kMillisecond)
       ->Complexity();
 }
 
 void add_all() {
-  const std::pair<const char*, Generator> sets[] = {{"cube", point_sets::uniform_cube},
-                                                    {"bumpy_sphere", point_sets::bumpy_sphere},
-                                                    {"torus", point_sets::random_torus},
-                                                    {"grid", grid_of},
-                                                    {"clusters", point_sets::clusters}};
-  for (const auto& [name, generate] : sets) {
-    add(std::string("delaunay/") + name, run_delaunay, generate);
-    add(std::string("graphs/") + name, run_graphs, generate);
+  for (const std::vector<Input>& inputs : {smooth_inputs(), degenerate_inputs()}) {
+    for (const Input& input : inputs) {
+      if (input.most_points >= std::size_t{kMostPoints})
+        add("graphs/" + input.name, run_graphs, input);
+    }
   }
-  add("paper/bumpy_sphere", run_reconstruct, sets[1].second, Method::kPaper);
+  const Input surface = surface_input();
+  add("paper/" + surface.name, run_reconstruct, surface, Method::kPaper);
 }
 
 }  // namespace
-}  // namespace tetsculpt
+}  // namespace tetsculpt::bench
 
 int main(int argc, char** argv) {
-  tetsculpt::add_all();
+  tetsculpt::bench::add_all();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

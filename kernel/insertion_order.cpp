@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "kernel/split_mix.h"
+
 namespace tetsculpt {
 namespace {
 
@@ -13,14 +15,6 @@ namespace {
 // its cavities grow along the curve; 1 to 4 bits measured, on volumes and surfaces.
 constexpr int kBitsPerRound = 3;         // a round is 2^3 - 1 times as large as all before it
 constexpr std::size_t kFirstRound = 64;  // at most about so many points in the first round
-
-/// A well mixed function of the id (the finaliser of SplitMix64).
-std::uint64_t hash(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
 
 }  // namespace
 
@@ -30,7 +24,7 @@ InsertionOrder insertion_order(std::size_t vertex_count) {
   std::size_t last_round = 0;
   while (vertex_count >> (kBitsPerRound * last_round) > kFirstRound) ++last_round;
   const auto round_of = [&](std::size_t v) {
-    const auto coins = static_cast<std::size_t>(std::countr_zero(hash(v)));
+    const auto coins = static_cast<std::size_t>(std::countr_zero(split_mix(v)));
     return last_round - std::min(coins / kBitsPerRound, last_round);
   };
   result.round_begin.assign(last_round + 2, 0);

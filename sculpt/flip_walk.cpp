@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "kernel/split_mix.h"
+
 namespace tetsculpt {
 namespace {
 
@@ -43,7 +45,8 @@ class Walk {
       if (k == region_.size()) continue;
       boundary_.flip(region_[k]);
       path_.push_back(region_[k]);
-      barred_until_[k] = step + kBarred + static_cast<std::uint32_t>(random() % (kBarred + 1));
+      barred_until_[k] = step + kBarred +
+                         static_cast<std::uint32_t>(split_mix_next(random_state_) % (kBarred + 1));
       if (boundary_.hidden_count() <= hidden_goal_ && boundary_.on_boundary(v_)) return true;
     }
     std::for_each(path_.rbegin(), path_.rend(), [&](TetId t) { boundary_.flip(t); });
@@ -63,7 +66,7 @@ class Walk {
       boundary_.flip(region_[k]);
       if (best != region_.size() && score < highest) continue;
       ties = best != region_.size() && score == highest ? ties + 1 : 1;
-      if (ties > 1 && random() % ties != 0) continue;
+      if (ties > 1 && split_mix_next(random_state_) % ties != 0) continue;
       best = k;
       highest = score;
     }
@@ -95,14 +98,6 @@ class Walk {
       score += kPerFacet[edges];
     }
     return score;
-  }
-
-  /// SplitMix64.
-  std::uint64_t random() {
-    std::uint64_t x = random_state_ += 0x9e3779b97f4a7c15ull;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-    return x ^ (x >> 31);
   }
 
   Boundary& boundary_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/split_mix.h"
 #include "sculpt/energy.h"
 #include "sculpt/star_faults.h"
 
@@ -81,17 +82,9 @@ int StarSearch::change_by(TetId t) {
   return change;
 }
 
-/// SplitMix64.
-std::uint64_t StarSearch::random() {
-  std::uint64_t x = random_state_ += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
 TetId StarSearch::random_flip(VertexId v) {
   const auto star = stars_(v);
-  const TetId t = star[random() % star.size()];
+  const TetId t = star[split_mix_next(random_state_) % star.size()];
   return boundary_.complex().finite(t) ? t : kNoTet;
 }
 
@@ -118,13 +111,14 @@ bool StarSearch::search(std::size_t flips, std::uint64_t seed) {
   path_.clear();
   std::int64_t least_faults = faults_;
   for (std::size_t step = 0; step < flips && least_faults > 0; ++step) {
-    const VertexId v = faulty_[random() % faulty_.size()];
-    const TetId t = random() % kNoise == 0 ? random_flip(v) : best_flip(v, least_faults);
+    const VertexId v = faulty_[split_mix_next(random_state_) % faulty_.size()];
+    const TetId t =
+        split_mix_next(random_state_) % kNoise == 0 ? random_flip(v) : best_flip(v, least_faults);
     if (t == kNoTet) continue;
     flip(t);
     path_.push_back(t);
-    barred_until_[+t] =
-        static_cast<std::uint32_t>(path_.size() + kBarred + random() % (kBarred + 1));
+    barred_until_[+t] = static_cast<std::uint32_t>(path_.size() + kBarred +
+                                                   split_mix_next(random_state_) % (kBarred + 1));
     least_faults = std::min(least_faults, faults_);
   }
   for (const TetId t : path_) barred_until_[+t] = 0;

@@ -37,7 +37,6 @@ class StarSearch {
   TetId random_flip(VertexId v);
   void undo_needless();
   void hold_exposed();
-  std::uint64_t random();
 
   Boundary& boundary_;
   const VertexStars& stars_;

@@ -24,13 +24,6 @@ std::size_t flips_left(const testing::Stages& s, const Boundary& boundary, const
   return left;
 }
 
-Flags random_labels(const testing::Stages& s, double share, std::uint64_t seed) {
-  point_sets::Random random(seed);
-  Flags inside(s.complex.tet_count(), 0);
-  for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
-  return inside;
-}
-
 /// Deforms with either order. Returns how many tetrahedra that added.
 std::size_t check_complete(const testing::Stages& s, const Flags& start, const Flags& wanted) {
   const Circumspheres spheres(s.points(), s.complex);
@@ -55,7 +48,7 @@ TEST_CASE("from the hull") {
     const testing::Stages s = testing::stages(set.points);
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
       INFO(set, ", labels of seed ", seed);
-      check_complete(s, Boundary(s.complex).solid(), random_labels(s, 0.3, seed));
+      check_complete(s, Boundary(s.complex).solid(), s.random_labels(0.3, seed));
     }
   }
 }
@@ -69,8 +62,8 @@ TEST_CASE("from a surface that has to move both ways") {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
       INFO(set, ", labels of seeds ", seed, " and ", seed + 10);
       Boundary start(s.complex);
-      deform_towards(start, spheres, random_labels(s, 0.5, seed), FlipOrder::kLargestFirst);
-      const Flags wanted = random_labels(s, 0.5, seed + 10);
+      deform_towards(start, spheres, s.random_labels(0.5, seed), FlipOrder::kLargestFirst);
+      const Flags wanted = s.random_labels(0.5, seed + 10);
       added += check_complete(s, start.solid(), wanted);
     }
   }

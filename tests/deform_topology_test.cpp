@@ -48,20 +48,6 @@ struct Scene {
     labels = refined_labels(s.complex, stars, alone, faults, evidence);
   }
 
-  Topology surface(const Boundary& boundary) const {
-    TriangleMesh mesh{s.distinct.points, {}};
-    const auto index = [](VertexId v) { return static_cast<std::uint32_t>(+v); };
-    for (const auto& [a, b, c] : boundary_triangles(s.complex, boundary.solid())) {
-      mesh.triangles.push_back({index(a), index(b), index(c)});
-    }
-    return topology(mesh);
-  }
-  Flags random_labels(double share, std::uint64_t seed) const {
-    point_sets::Random random(seed);
-    Flags inside(s.complex.tet_count(), 0);
-    for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
-    return inside;
-  }
   /// The same labels or others, with good stars only.
   Flags mended(const Flags& inside) const {
     Boundary boundary(s.complex, inside);
@@ -72,8 +58,8 @@ struct Scene {
   }
   /// The whole hull, good labels from the evidence, and random ones made good.
   std::vector<Flags> good_labels() const {
-    return {Boundary(s.complex).solid(), mended(labels.likely), mended(random_labels(0.1, 1)),
-            mended(random_labels(0.4, 1))};
+    return {Boundary(s.complex).solid(), mended(labels.likely), mended(s.random_labels(0.1, 1)),
+            mended(s.random_labels(0.4, 1))};
   }
 
   testing::Stages s;
@@ -87,14 +73,16 @@ struct Scene {
 class Kept {
  public:
   Kept(const Scene& scene, const Boundary& boundary)
-      : scene_(scene), before_(scene.surface(boundary)), hidden_(boundary.hidden_vertices()) {
+      : scene_(scene),
+        before_(topology(scene.s.surface(boundary.solid()))),
+        hidden_(boundary.hidden_vertices()) {
     REQUIRE((before_.edge_manifold && before_.vertex_manifold && before_.oriented));
   }
 
   void check(const Boundary& boundary) const {
     const auto wrong = broken_invariant(boundary);
     REQUIRE_MESSAGE(!wrong, *wrong);
-    const Topology after = scene_.surface(boundary);
+    const Topology after = topology(scene_.s.surface(boundary.solid()));
     REQUIRE((after.edge_manifold && after.vertex_manifold && after.oriented));
     REQUIRE(after.closed == before_.closed);  // without a solid there is nothing that is closed
     REQUIRE(after.components == before_.components);
@@ -116,7 +104,7 @@ TEST_CASE("towards random labels, each tetrahedron once at most") {
     for (const Flags& labels : scene.good_labels()) {
       for (const double share : {0.0, 0.5, 1.0}) {
         INFO(set, ", labels of seed 1, wanted share ", share, ", seed 2");
-        const Flags wanted = scene.random_labels(share, 2);
+        const Flags wanted = scene.s.random_labels(share, 2);
         Boundary boundary(scene.s.complex, labels);
         const Kept kept(scene, boundary);
         deform_towards(boundary, scene.spheres, wanted,

@@ -48,22 +48,6 @@ struct Scene {
     expose_hidden(s.complex, spheres, hull.hidden_vertices(), solid);
     return Boundary(s.complex, solid);
   }
-  Topology surface(const Boundary& boundary) const {
-    TriangleMesh mesh{s.distinct.points, {}};
-    const auto index = [](VertexId v) { return static_cast<std::uint32_t>(+v); };
-    for (const auto& [a, b, c] : boundary_triangles(s.complex, boundary.solid())) {
-      mesh.triangles.push_back({index(a), index(b), index(c)});
-    }
-    return topology(mesh);
-  }
-  bool all_good(const Boundary& boundary) const {
-    StarInspector inspector(s.complex, stars);
-    for (std::uint32_t v = 0; v < s.complex.vertex_count(); ++v) {
-      if (inspector.parts(VertexId{v}, boundary.solid()).excess() > 0) return false;
-    }
-    return true;
-  }
-
   testing::Stages s;
   VertexStars stars;
 };
@@ -90,8 +74,8 @@ void walk_for_all(const Scene& scene, Boundary& boundary, std::size_t steps, Out
     REQUIRE(boundary.on_boundary(v));
     REQUIRE(boundary.hidden_count() < hidden.size());
     REQUIRE(boundary.euler_characteristic() == characteristic);
-    REQUIRE(scene.all_good(boundary));
-    const Topology t = scene.surface(boundary);
+    REQUIRE(scene.s.all_stars_good(scene.stars, boundary.solid()));
+    const Topology t = topology(scene.s.surface(boundary.solid()));
     REQUIRE((t.closed && t.edge_manifold && t.vertex_manifold && t.oriented));
     REQUIRE(t.components == 1);
     REQUIRE(t.genus == 0);

@@ -26,13 +26,6 @@ std::vector<testing::NamedSet> all_sets() {
   return sets;
 }
 
-Flags random_labels(const testing::Stages& s, double share, std::uint64_t seed) {
-  point_sets::Random random(seed);
-  Flags inside(s.complex.tet_count(), 0);
-  for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
-  return inside;
-}
-
 int bad_stars(const testing::Stages& s, const VertexStars& stars, const Flags& inside) {
   StarInspector inspector(s.complex, stars);
   int bad = 0;
@@ -65,7 +58,7 @@ TEST_CASE("random labels of any density") {
     std::uint64_t seed = 0;
     for (const double share : {0.0005, 0.005, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98}) {
       INFO(set, ", labels of seed ", ++seed);
-      const Flags labels = random_labels(s, share, seed);
+      const Flags labels = s.random_labels(share, seed);
       Flags inside = labels;
       fill_bad_stars(s.complex, stars, inside);
       REQUIRE(only_added(labels, inside));
@@ -88,7 +81,7 @@ TEST_CASE("none and all are good as they are") {
     const testing::Stages s = testing::stages(set.points);
     for (const double share : {0.0, 1.0}) {
       INFO(set, ", share inside ", share);
-      const Flags labels = random_labels(s, share, 1);
+      const Flags labels = s.random_labels(share, 1);
       Flags inside = labels;
       fill_bad_stars(s.complex, VertexStars(s.complex), inside);
       CHECK(inside == labels);

@@ -17,31 +17,14 @@
 namespace tetsculpt {
 namespace {
 
-TriangleMesh surface(const testing::Stages& s, const Flags& inside) {
-  TriangleMesh mesh{s.distinct.points, {}};
-  const auto index = [](VertexId v) { return static_cast<std::uint32_t>(+v); };
-  for (const auto& [a, b, c] : boundary_triangles(s.complex, inside)) {
-    mesh.triangles.push_back({index(a), index(b), index(c)});
-  }
-  return mesh;
-}
-
-bool all_stars_good(const testing::Stages& s, const VertexStars& stars, const Flags& inside) {
-  StarInspector inspector(s.complex, stars);
-  for (std::uint32_t v = 0; v < s.complex.vertex_count(); ++v) {
-    if (inspector.parts(VertexId{v}, inside).excess() > 0) return false;
-  }
-  return true;
-}
-
 /// Counts for how many labels the theorem was seen at work, either way.
 class Theorem {
  public:
   explicit Theorem(const testing::Stages& s) : s_(s), stars_(s.complex) {}
 
   void check(const Flags& inside) {
-    const Topology t = topology(surface(s_, inside));
-    const bool good = all_stars_good(s_, stars_, inside);
+    const Topology t = topology(s_.surface(inside));
+    const bool good = s_.all_stars_good(stars_, inside);
     REQUIRE(good == (t.edge_manifold && t.vertex_manifold));
     REQUIRE(t.oriented == t.edge_manifold);
     if (good) REQUIRE(t.closed == (std::ranges::count(inside, 1) > 0));
@@ -131,10 +114,10 @@ TEST_CASE("two tetrahedra that touch in a vertex, an edge or a facet") {
       INFO("box of 100, seed 1, corners in common ", common, ", inside out ", inside_out);
       const Flags inside = touching_pair(s, stars, common, inside_out);
       REQUIRE_FALSE(inside.empty());
-      const Topology t = topology(surface(s, inside));
+      const Topology t = topology(s.surface(inside));
       CHECK(t.edge_manifold == (common != 2));
       CHECK((t.edge_manifold && t.vertex_manifold) == (common == 3));
-      CHECK(all_stars_good(s, stars, inside) == (common == 3));
+      CHECK(s.all_stars_good(stars, inside) == (common == 3));
     }
   }
 }

@@ -43,24 +43,11 @@ struct Scene {
   }
   Scene(const Scene&) = delete;
 
-  Flags random_labels(double share, std::uint64_t seed) const {
-    point_sets::Random random(seed);
-    Flags inside(s.complex.tet_count(), 0);
-    for (const TetId t : s.tets()) inside[+t] = random.uniform() < share;
-    return inside;
-  }
-  bool all_good(const Flags& inside) const {
-    StarInspector inspector(s.complex, stars);
-    for (std::uint32_t v = 0; v < s.complex.vertex_count(); ++v) {
-      if (inspector.parts(VertexId{v}, inside).excess() > 0) return false;
-    }
-    return true;
-  }
   /// Of a boundary that was changed: its counts are right, and no vertex is hidden that was not.
   void check(const Boundary& boundary, const std::vector<VertexId>& hidden_before) const {
     const auto wrong = broken_invariant(boundary);
     REQUIRE_MESSAGE(!wrong, *wrong);
-    REQUIRE(all_good(boundary.solid()));
+    REQUIRE(s.all_stars_good(stars, boundary.solid()));
     REQUIRE(std::ranges::includes(hidden_before, boundary.hidden_vertices()));
     for (std::size_t t = s.complex.finite_tet_count(); t < s.complex.tet_count(); ++t) {
       REQUIRE(boundary.solid()[t] == 0);
@@ -84,14 +71,14 @@ TEST_CASE("mending random labels") {
     const Scene scene(set.points, 1);
     for (const double share : kShares) {
       INFO(set, ", labels of seed 2, share ", share, ", evidence of seed 1");
-      const Flags labels = scene.random_labels(share, 2);
+      const Flags labels = scene.s.random_labels(share, 2);
       Boundary boundary(scene.s.complex, labels);
       const auto hidden = boundary.hidden_vertices();
       StarSearch search(boundary, scene.stars, scene.evidence);
       for (const std::size_t flips : {std::size_t{0}, std::size_t{3}, kEnough}) {
         if (search.mend_bad(flips)) {
           scene.check(boundary, hidden);
-          if (scene.all_good(labels)) REQUIRE(boundary.solid() == labels);
+          if (scene.s.all_stars_good(scene.stars, labels)) REQUIRE(boundary.solid() == labels);
           ++mended;
           break;
         }
@@ -133,7 +120,7 @@ TEST_CASE("bringing out hidden vertices, and the same again") {
     const Scene scene(set.points, 3);
     for (const double share : kShares) {
       INFO(set, ", labels of seed 4, share ", share, ", evidence of seed 3");
-      const Flags labels = scene.random_labels(share, 4);
+      const Flags labels = scene.s.random_labels(share, 4);
       const Flags once = mend_and_expose(scene, labels, outcomes);
       REQUIRE(mend_and_expose(scene, labels, outcomes) == once);
     }

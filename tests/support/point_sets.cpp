@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "kernel/split_mix.h"
+
 namespace tetsculpt::point_sets {
 namespace {
 
@@ -77,12 +79,7 @@ std::vector<Point3> implicit_surface(const Field& f, const Point3& half_box, dou
 
 }  // namespace
 
-std::uint64_t Random::bits() {
-  std::uint64_t x = state_ += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
+std::uint64_t Random::bits() { return split_mix_next(state_); }
 
 std::vector<Point3> shuffled(std::vector<Point3> points, std::uint64_t seed) {
   Random random(seed);

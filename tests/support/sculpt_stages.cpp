@@ -7,6 +7,8 @@
 #include "kernel/delaunay.h"
 #include "kernel/emst.h"
 #include "kernel/gabriel.h"
+#include "sculpt/boundary.h"
+#include "sculpt/star_inspector.h"
 #include "tests/support/point_sets.h"
 
 namespace tetsculpt::testing {
@@ -15,6 +17,30 @@ std::vector<TetId> Stages::tets() const {
   std::vector<TetId> ids;
   for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) ids.push_back(TetId{t});
   return ids;
+}
+
+Flags Stages::random_labels(double share, std::uint64_t seed) const {
+  point_sets::Random random(seed);
+  Flags inside(complex.tet_count(), 0);
+  for (const TetId t : tets()) inside[+t] = random.uniform() < share;
+  return inside;
+}
+
+TriangleMesh Stages::surface(const Flags& inside) const {
+  TriangleMesh mesh{distinct.points, {}};
+  const auto index = [](VertexId v) { return static_cast<std::uint32_t>(+v); };
+  for (const auto& [a, b, c] : boundary_triangles(complex, inside)) {
+    mesh.triangles.push_back({index(a), index(b), index(c)});
+  }
+  return mesh;
+}
+
+bool Stages::all_stars_good(const VertexStars& stars, const Flags& inside) const {
+  StarInspector inspector(complex, stars);
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (inspector.parts(VertexId{v}, inside).excess() > 0) return false;
+  }
+  return true;
 }
 
 Sculpture Stages::sculpt(Criterion criterion, PaperOptions::Stop stop) const {

@@ -9,6 +9,8 @@
 #include "kernel/distinct_points.h"
 #include "kernel/point.h"
 #include "kernel/tet_complex.h"
+#include "kernel/triangle_mesh.h"
+#include "kernel/vertex_stars.h"
 #include "sculpt/sculpt_paper.h"
 #include "sculpt/sculpture.h"
 
@@ -23,6 +25,11 @@ struct Stages {
 
   std::span<const Point3> points() const { return distinct.points; }
   std::vector<TetId> tets() const;  ///< the finite ones
+  /// Each finite tetrahedron inside with this probability.
+  Flags random_labels(double share, std::uint64_t seed) const;
+  /// The boundary of what is inside, over all vertices.
+  TriangleMesh surface(const Flags& inside) const;
+  bool all_stars_good(const VertexStars& stars, const Flags& inside) const;
   Sculpture sculpt(Criterion criterion = Criterion::kConstrained,
                    PaperOptions::Stop stop = PaperOptions::Stop::kHeapEmpty) const;
 };
