@@ -15,7 +15,6 @@
 #include "sculpt/boundary.h"
 #include "sculpt/circumspheres.h"
 #include "sculpt/deform.h"
-#include "sculpt/star_inspector.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
 

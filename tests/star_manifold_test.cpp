@@ -10,7 +10,6 @@
 #include "kernel/triangle_mesh.h"
 #include "kernel/vertex_stars.h"
 #include "sculpt/boundary.h"
-#include "sculpt/star_inspector.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
 

@@ -14,7 +14,6 @@
 #include "kernel/vertex_stars.h"
 #include "sculpt/boundary.h"
 #include "sculpt/evidence.h"
-#include "sculpt/star_inspector.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
 
