@@ -112,8 +112,10 @@ Egh extended_gabriel_hypergraph(std::span<const Point3> points, const TetComplex
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const auto edges = complex.edges(TriangleId{t});
     const int count = gabriel[+edges[0]] + gabriel[+edges[1]] + gabriel[+edges[2]];
-    if (count != 2 || !has_empty_sphere(points, complex, complex.facet(TriangleId{t}))) continue;
-    for (const EdgeId e : edges) egh.edges[+e] = 1;
+    if (count != 2) continue;
+    const EdgeId third = !gabriel[+edges[0]] ? edges[0] : !gabriel[+edges[1]] ? edges[1] : edges[2];
+    if (egh.edges[+third]) continue;  // by another triangle
+    egh.edges[+third] = has_empty_sphere(points, complex, complex.facet(TriangleId{t}));
   }
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const auto [a, b, c] = complex.edges(TriangleId{t});

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "kernel/large_array.h"
+#include "kernel/large_block.h"
 #include "kernel/point.h"
 
 /// The store of the lifted hull while it grows: facets with their neighbours, hyperplanes and
@@ -42,90 +44,100 @@ struct Spoke {
   double length;
 };
 
-/// A facet's lifted hyperplane through its first corner p. The value of
-///     nx dx + ny dy + nz dz + nw |d|^2,  d = q - p,
-/// is positive if the facet is visible from q, and off by at most
-///     error (extent (|dx| + |dy| + |dz|) + |d|^2 / reach),
-/// with the reach of the whole set, a power of two.
-/// A visibility test needs no more than this and p: one cache line.
-struct alignas(64) Hyperplane {
-  double nx, ny, nz, nw;
-  double error;
-  float extent;
-  std::uint32_t mark = 0;  ///< scratch for the search that visits the facet
-  std::array<Site, 4> corners{kNone, kNone, kNone, kNone};
-};
-static_assert(sizeof(Hyperplane) == 64);
+/// Bounds for a facet's heights, two numbers rounded up to the upper half of a float each.
+class ErrorFactors {
+ public:
+  ErrorFactors() = default;
+  ErrorFactors(double factor, double extent)
+      : bits_(rounded_up(factor) | rounded_up(extent) >> 16) {}
+  double factor() const { return static_cast<double>(std::bit_cast<float>(bits_ & 0xffff0000u)); }
+  double extent() const { return static_cast<double>(std::bit_cast<float>(bits_ << 16)); }
 
-///        0            Corner 0 is finite: in a facet of a cone, the cone's apex. Neighbour i
-///        shares the
-///       /|\           ridge opposite corner i. The corners of a finite facet, in this order, are a
-///      / | \          positively oriented tetrahedron (orient3d); an infinite facet's orientation
-///      is
-///     1--|--3         the one by which shared ridges have opposite orientations in their two
-///     facets.
-///      \ | /
+ private:
+  /// Always more than the value; what is too large for a float becomes infinite or no number.
+  static std::uint32_t rounded_up(double value) {
+    return (std::bit_cast<std::uint32_t>(static_cast<float>(value)) + 0x10000u) & 0xffff0000u;
+  }
+  std::uint32_t bits_;
+};
+
+/// A facet without its geometry.
+struct FacetLinks {
+  std::array<Site, 4> corners;
+  std::array<Ridge, 4> neighbors;
+  bool infinite() const { return corners[3] == kAtInfinity; }
+};
+
+/// A facet with its lifted hyperplane through the first corner p, as the sphere around the corners:
+/// the height of q = p + d above it is
+///     nx dx + ny dy + nz dz - |d|^2,
+/// the negative power of q (an infinite facet, which is a half-space: without |d|^2), positive if
+/// the facet is visible from q. It is off by at most
+///     factor (extent (|dx| + |dy| + |dz|) + |d|^2),   extent in units of the size of the set.
+/// All an insertion reads or writes of a facet is this: one cache line.
+struct alignas(64) Facet {
+  double nx, ny, nz;
+  ErrorFactors error;
+  std::uint32_t mark;  ///< scratch for the search that visits the facet
+  FacetLinks links;
+};
+static_assert(sizeof(Facet) == 64);
+
+///        0            Corners 0 to 2 are finite; 0 is the apex in a facet of a cone. Neighbour i
+///       /|\           shares the ridge opposite corner i. The corners of a finite facet, in this
+///      / | \          order, are a positively oriented tetrahedron (orient3d); an infinite facet's
+///     1--|--3         orientation is the one by which shared ridges have opposite orientations in
+///      \ | /          their two facets.
 ///        2
 class Facets {
  public:
   /// `unit` is a power of two of which all coordinates are multiples.
   Facets(std::span<const Point3> sites, double unit);
 
-  std::size_t size() const { return planes_.size(); }
-  void reserve(std::size_t n);
-  /// Appends an unlinked facet without a hyperplane.
-  FacetIndex append();
-  /// Appends at least so many to a list. While shared, facets may not move in memory: false if they
-  /// would have to.
+  std::size_t size() const { return size_; }
+  /// Appends at least so many facets, of which nothing is set but a first corner of kNone, to a
+  /// list. While shared, facets may not move in memory: false if they would have to.
   bool append(std::size_t count, std::vector<FacetIndex>& free);
+  /// Leaves no facet here; gives away the memory of their hyperplanes.
+  LargeBlock<FacetLinks> take_links() {
+    return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0));
+  }
   /// Between these, several threads may append.
   void share() { shared_ = true; }
   void unshare() { shared_ = false; }
 
-  /// Gives the memory of corners and hyperplanes away; only neighbours are left.
-  void release_hyperplanes() { planes_ = LargeArray<Hyperplane>(); }
-
-  std::array<Site, 4>& corners(FacetIndex f) { return planes_[f].corners; }
-  const std::array<Site, 4>& corners(FacetIndex f) const { return planes_[f].corners; }
-  std::array<Ridge, 4>& neighbors(FacetIndex f) { return neighbors_[f]; }
-  const std::array<Ridge, 4>& neighbors(FacetIndex f) const { return neighbors_[f]; }
-  /// First site of the facet's conflict set, the farthest, or kNone.
-  Site& farthest(FacetIndex f) { return farthest_[f]; }
-  std::uint32_t& mark(FacetIndex f) { return planes_[f].mark; }
+  std::array<Site, 4>& corners(FacetIndex f) { return facets_[f].links.corners; }
+  const std::array<Site, 4>& corners(FacetIndex f) const { return facets_[f].links.corners; }
+  std::array<Ridge, 4>& neighbors(FacetIndex f) { return facets_[f].links.neighbors; }
+  const std::array<Ridge, 4>& neighbors(FacetIndex f) const { return facets_[f].links.neighbors; }
+  std::uint32_t& mark(FacetIndex f) { return facets_[f].mark; }
 
   const Point3& point(Site s) const { return sites_[s]; }
-  /// The corner at infinity, or 4 if the facet is finite.
-  std::uint32_t infinite_corner(FacetIndex f) const;
+  bool infinite(FacetIndex f) const { return facets_[f].links.infinite(); }
 
   /// Sets the hyperplane through the facet's first corner and three others, in their order; a null
-  /// pointer stands for the site at infinity.
+  /// pointer, for the last only, stands for the site at infinity.
   void set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c);
   /// Computes the differences, too.
   void set_hyperplane(FacetIndex f);
 
-  /// Starts to fetch what a visibility test and what follows it will read.
-  void prefetch(FacetIndex f) const {
-    __builtin_prefetch(&planes_[f]);
-    __builtin_prefetch(&neighbors_[f]);
-  }
+  void prefetch(FacetIndex f) const { __builtin_prefetch(&facets_[f]); }
 
-  LiftedDifference difference(FacetIndex f, Site q) const;
   /// The hyperplane's value at q, and by how much it may be wrong.
   struct Height {
     double value;
     double error;
   };
-  Height height(FacetIndex f, Site q) const;
-  /// Power of q with respect to a finite facet's sphere, up to rounding. Only for choosing a way.
-  double power(FacetIndex f, Height h) const { return h.value / planes_[f].nw; }
+  Height height(FacetIndex f, const Point3& q) const;
   /// Whether q is on the visible side of f: exact, ties by kernel/perturbation.
-  bool visible(FacetIndex f, Site q) const { return visible(f, q, height(f, q)); }
+  bool visible(FacetIndex f, Site q) const { return visible(f, q, height(f, sites_[q])); }
   bool visible(FacetIndex f, Site q, Height h) const {
-    return h.value > h.error || (h.value >= -h.error && decide(f, q, h));
+    return h.value > h.error || (!(h.value < -h.error) && decide(f, q));
   }
 
  private:
-  bool decide(FacetIndex f, Site q, Height h) const;
+  bool decide(FacetIndex f, Site q) const;
+  bool finite_visible(FacetIndex f, Site q) const;
   bool coplanar_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
@@ -133,11 +145,10 @@ class Facets {
   std::mutex growing_;
   double reach_;                 ///< as large as the set, a power of two
   double per_reach_;             ///< 1 / reach_
-  double exact_below_;           ///< error of a finite facet's height below which it has none
+  double exact_below_;           ///< bound on an error of a finite facet below which there is none
   double exact_below_infinite_;  ///< the same for an infinite facet
-  LargeArray<Hyperplane> planes_;
-  LargeArray<std::array<Ridge, 4>> neighbors_;
-  LargeArray<Site> farthest_;
+  std::size_t size_ = 0;
+  LargeBlock<Facet> facets_;
 };
 
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
@@ -152,21 +163,13 @@ inline Spoke spoke(const Point3& q, const Point3& p) {
   return {d, std::sqrt(d.w)};
 }
 
-inline std::uint32_t Facets::infinite_corner(FacetIndex f) const {
-  const auto& c = planes_[f].corners;
-  return c[1] == kAtInfinity ? 1 : c[2] == kAtInfinity ? 2 : c[3] == kAtInfinity ? 3 : 4;
-}
-
-inline LiftedDifference Facets::difference(FacetIndex f, Site q) const {
-  return lifted_difference(sites_[q], sites_[planes_[f].corners[0]]);
-}
-
-inline Facets::Height Facets::height(FacetIndex f, Site q) const {
-  const LiftedDifference d = difference(f, q);
-  const Hyperplane& n = planes_[f];
+inline Facets::Height Facets::height(FacetIndex f, const Point3& q) const {
+  const Facet& n = facets_[f];
+  const LiftedDifference d = lifted_difference(q, sites_[n.links.corners[0]]);
   const double along = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
-  return {n.nx * d.x + n.ny * d.y + n.nz * d.z + n.nw * d.w,
-          n.error * (static_cast<double>(n.extent) * along + d.w * per_reach_)};
+  const double w = n.links.infinite() ? 0 : d.w;
+  return {n.nx * d.x + n.ny * d.y + n.nz * d.z - w,
+          n.error.factor() * (n.error.extent() * (along * reach_) + w)};
 }
 
 }  // namespace tetsculpt::hull

@@ -12,29 +12,32 @@
 namespace tetsculpt::hull {
 namespace {
 
-constexpr std::size_t kLargeCone =
-    256;  // above so many corners, pairs are sorted instead of tabulated
+// Pairs of the horizon's corners are tabulated, for few of them in a table that fits in the nearest
+// cache; above the larger size they are sorted.
+constexpr std::size_t kSmallCone = 32;
+constexpr std::size_t kLargeCone = 256;
 
 }  // namespace
 
-Inserter::Inserter(std::span<const Point3> points, Facets& facets)
+Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free)
     : points_(points),
       facets_(facets),
+      free_(std::move(free)),
       number_of_(points.size() + 1, Number{0, 0}),
       half_ridge_(kLargeCone * kLargeCone) {}
 
 Inserter Inserter::helper(SiteRange own) {
-  Inserter helper(points_, facets_);
+  for (const FacetIndex f : free_) facets_.corners(f)[0] = kNone;
+  Inserter helper(points_, facets_, std::exchange(free_, {}));
   helper.own_ = own;
   helper.stamp_ = stamp_;
-  for (const FacetIndex f : free_) facets_.corners(f).fill(kNone);
-  helper.free_ = std::exchange(free_, {});
   // Begin at the end of the range's stretch of the curve where the points will.
   helper.last_ = kNone;
   Site first = kNone;
   for (FacetIndex f = 0; f < facets_.size(); ++f) {
+    if (facets_.corners(f)[0] == kNone) continue;
     const Site lowest = std::ranges::min(facets_.corners(f));
-    if (lowest >= first || facets_.corners(f)[0] == kNone || !helper.own(f)) continue;
+    if (lowest >= first || !helper.own(f)) continue;
     first = lowest;
     helper.last_ = f;
   }
@@ -70,7 +73,6 @@ void Inserter::insert(std::span<const Site> batch) {
       const FacetIndex f = conflicts_[k].facet;
       if (insert_farthest(f)) continue;
       const Slot apex = pick_apex(f);
-      facets_.farthest(f) = conflicts_[apex].next;
       conflicts_[apex].facet = kNone;
       deferred_.push_back(batch[apex]);
     }
@@ -90,16 +92,27 @@ bool Inserter::insert_farthest(FacetIndex seen) {
   return true;
 }
 
+Inserter::Slot Inserter::pick_apex(FacetIndex f) const {
+  Slot apex = kNone;
+  for (Slot k = 0; k < batch_.size(); ++k) {
+    if (conflicts_[k].facet != f) continue;
+    if (apex == kNone || conflicts_[k].height > conflicts_[apex].height) apex = k;
+  }
+  return apex;
+}
+
 /// Makes a facet part of the visible region, entered through a ridge, and its other ridges part of
 /// the front: their facets are on their way to the cache when their turn comes.
 void Inserter::make_visible(FacetIndex f, Ridge through) {
   facets_.mark(f) = stamp_;
-  visible_.push_back(f);
+  visible_.make_room(1);
+  visible_.push(f);
+  front_.make_room(4);
+  const auto& neighbors = facets_.neighbors(f);
   for (std::uint32_t i = 0; i < 4; ++i) {
     if (ridge(f, i) == through) continue;
-    const Ridge outer = facets_.neighbors(f)[i];
-    facets_.prefetch(facet_of(outer));
-    front_.push_back({ridge(f, i), outer});
+    facets_.prefetch(facet_of(neighbors[i]));
+    front_.push({ridge(f, i), neighbors[i]});
   }
 }
 
@@ -112,13 +125,14 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   front_.clear();
   horizon_.clear();
   make_visible(seen, kNone);
+  const Point3 q = points_[apex];
   for (std::size_t k = 0; k < front_.size(); ++k) {
     const auto [inner, outer] = front_[k];
     const FacetIndex g = facet_of(outer);
     std::uint32_t& mark = facets_.mark(g);
     if (mark == stamp_) continue;
     if (mark != is_hidden) {
-      if (facets_.visible(g, apex)) {
+      if (facets_.visible(g, apex, facets_.height(g, q))) {
         if (!own(g)) return false;
         make_visible(g, outer);
         continue;
@@ -130,86 +144,97 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
     static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
     const auto& c = facets_.corners(facet_of(inner));
     const auto& others = kOthers[corner_of(inner)];
-    horizon_.push_back({{c[others[0]], c[others[1]], c[others[2]]}, outer});
+    horizon_.make_room(1);
+    horizon_.push({{c[others[0]], c[others[1]], c[others[2]]}, outer});
   }
   return true;
 }
 
 void Inserter::collect_orphans(Slot apex) {
   orphans_.clear();
-  for (const FacetIndex f : visible_) {
-    for (Slot k = facets_.farthest(f); k != kNone; k = conflicts_[k].next) {
-      if (k != apex) orphans_.push_back(k);
-    }
-    facets_.farthest(f) = kNone;
-  }
+  orphans_.make_room(batch_.size());
   conflicts_[apex].facet = kNone;
+  for (Slot k = 0; k < batch_.size(); ++k) {
+    const FacetIndex f = conflicts_[k].facet;
+    if (f != kNone && facets_.mark(f) == stamp_) orphans_.push(k);
+  }
 }
 
 /// The number of a corner of the horizon; a new one gets its spoke.
-std::uint32_t Inserter::number_of(Site s, Site apex) {
+inline std::uint32_t Inserter::number_of(Site s, Site apex) {
   Number& n = number_of_[s == kAtInfinity ? points_.size() : s];
   if (n.stamp != stamp_) {
     n = {stamp_, static_cast<std::uint32_t>(spokes_.size())};
-    if (s == kAtInfinity) {
-      infinite_number_ = n.number;
-      spokes_.push_back({});
-    } else {
-      spokes_.push_back(spoke(points_[s], points_[apex]));
-    }
+    spokes_.push(s == kAtInfinity ? Spoke{} : spoke(points_[s], points_[apex]));
   }
   return n.number;
 }
 
+/// A facet for the k-th of the cone: one of the visible ones, which are gone, as long as there are
+/// any.
+inline FacetIndex Inserter::take_facet(std::size_t k) {
+  if (k < visible_.size()) return visible_[k];
+  const FacetIndex f = free_.back();
+  free_.pop_back();
+  return f;
+}
+
 /// Replaces the visible facets by one facet per horizon ridge, each with the apex as first corner.
 void Inserter::make_cone(Site apex) {
-  free_.insert(free_.end(), visible_.begin(), visible_.end());
   cone_.clear();
-  local_.clear();
+  cone_.make_room(horizon_.size());
   spokes_.clear();
-  infinite_number_ = kNone;
-  spokes_.reserve(horizon_.size() / 2 + 2);  // by Euler's relation, all of them
-  const auto to = [&](std::uint32_t number) {
-    return number == infinite_number_ ? nullptr : &spokes_[number];
-  };
-  for (const auto& [corners, outer] : horizon_) {
-    const FacetIndex f = free_.back();
-    free_.pop_back();
-    facets_.corners(f) = {apex, corners[0], corners[1], corners[2]};
+  spokes_.make_room(horizon_.size() / 2 + 2);  // by Euler's relation
+  for (std::size_t k = 0; k < horizon_.size(); ++k) {
+    auto [a, b, c] = horizon_[k].corners;
+    const Ridge outer = horizon_[k].outer;
+    // A cyclic exchange keeps the orientation: bring the site at infinity last.
+    if (a == kAtInfinity) {
+      a = b, b = c, c = kAtInfinity;
+    } else if (b == kAtInfinity) {
+      b = a, a = c, c = kAtInfinity;
+    }
+    const FacetIndex f = take_facet(k);
+    facets_.corners(f) = {apex, a, b, c};
     facets_.neighbors(f)[0] = outer;
     facets_.neighbors(facet_of(outer))[corner_of(outer)] = ridge(f, 0);
     facets_.mark(f) = 0;
-    const std::uint32_t a = number_of(corners[0], apex);
-    const std::uint32_t b = number_of(corners[1], apex);
-    const std::uint32_t c = number_of(corners[2], apex);
-    facets_.set_hyperplane(f, to(a), to(b), to(c));
-    cone_.push_back(f);
-    local_.push_back({a, b, c});
+    const std::array<std::uint32_t, 3> n{number_of(a, apex), number_of(b, apex),
+                                         number_of(c, apex)};
+    facets_.set_hyperplane(f, &spokes_[n[0]], &spokes_[n[1]],
+                           c == kAtInfinity ? nullptr : &spokes_[n[2]]);
+    cone_.push({f, n});
   }
-  if (spokes_.size() <= kLargeCone) {
-    link_cone();
+  if (visible_.size() > horizon_.size()) {
+    free_.insert(free_.end(), visible_.begin() + horizon_.size(), visible_.end());
+  }
+  if (spokes_.size() <= kSmallCone) {
+    link_cone<kSmallCone>();
+  } else if (spokes_.size() <= kLargeCone) {
+    link_cone<kLargeCone>();
   } else {
     link_large_cone();
   }
-  last_ = cone_[0];
+  last_ = cone_[0].facet;
 }
 
 /// Each directed edge of the horizon belongs to one ridge, its reverse to the neighbour: a table by
 /// pairs of numbers, in which every entry read was written just before.
+template <std::size_t kStride>
 void Inserter::link_cone() {
-  const std::size_t stride = spokes_.size();
-  for (std::size_t k = 0; k < cone_.size(); ++k) {
-    const auto [a, b, c] = local_[k];
-    half_ridge_[b * stride + c] = ridge(cone_[k], 1);
-    half_ridge_[c * stride + a] = ridge(cone_[k], 2);
-    half_ridge_[a * stride + b] = ridge(cone_[k], 3);
+  Ridge* const half_ridge = half_ridge_.data();
+  for (const auto& [f, numbers] : cone_) {
+    const auto [a, b, c] = numbers;
+    half_ridge[b * kStride + c] = ridge(f, 1);
+    half_ridge[c * kStride + a] = ridge(f, 2);
+    half_ridge[a * kStride + b] = ridge(f, 3);
   }
-  for (std::size_t k = 0; k < cone_.size(); ++k) {
-    const auto [a, b, c] = local_[k];
-    auto& neighbors = facets_.neighbors(cone_[k]);
-    neighbors[1] = half_ridge_[c * stride + b];
-    neighbors[2] = half_ridge_[a * stride + c];
-    neighbors[3] = half_ridge_[b * stride + a];
+  for (const auto& [f, numbers] : cone_) {
+    const auto [a, b, c] = numbers;
+    auto& neighbors = facets_.neighbors(f);
+    neighbors[1] = half_ridge[c * kStride + b];
+    neighbors[2] = half_ridge[a * kStride + c];
+    neighbors[3] = half_ridge[b * kStride + a];
   }
 }
 
@@ -222,9 +247,9 @@ void Inserter::link_large_cone() {
   halves.reserve(3 * cone_.size());
   for (std::size_t k = 0; k < cone_.size(); ++k) {
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint64_t a = local_[k][(i + 1) % 3];
-      const std::uint64_t b = local_[k][(i + 2) % 3];
-      halves.push_back({std::min(a, b) << 32 | std::max(a, b), ridge(cone_[k], i + 1)});
+      const std::uint64_t a = cone_[k].numbers[(i + 1) % 3];
+      const std::uint64_t b = cone_[k].numbers[(i + 2) % 3];
+      halves.push_back({std::min(a, b) << 32 | std::max(a, b), ridge(cone_[k].facet, i + 1)});
     }
   }
   std::sort(halves.begin(), halves.end(),
@@ -243,30 +268,23 @@ void Inserter::link_large_cone() {
 void Inserter::reassign_conflicts() {
   for (const Slot k : orphans_) {
     const Site q = batch_[k];
-    const auto clearly_seen = [&](FacetIndex f) {
-      const Facets::Height h = facets_.height(f, q);
+    const Point3 point = points_[q];
+    const auto clearly_seen = [&](const ConeFacet& c) {
+      const Facets::Height h = facets_.height(c.facet, point);
       return h.value > h.error;
     };
-    auto f = std::ranges::find_if(cone_, clearly_seen);
-    if (f == cone_.end()) {
-      f = std::ranges::find_if(cone_, [&](FacetIndex g) { return facets_.visible(g, q); });
+    auto* c = std::find_if(cone_.begin(), cone_.end(), clearly_seen);
+    if (c == cone_.end()) {
+      const auto seen = [&](const ConeFacet& g) { return facets_.visible(g.facet, q); };
+      c = std::find_if(cone_.begin(), cone_.end(), seen);
     }
-    assert(f != cone_.end());
-    add_conflict(k, *f);
+    assert(c != cone_.end());
+    add_conflict(k, c->facet);
   }
 }
 
-/// Puts a point into f's conflict set: first if it is the farthest, else second.
 void Inserter::add_conflict(Slot k, FacetIndex f) {
-  const double height = facets_.height(f, batch_[k]).value;
-  Slot& first = facets_.farthest(f);
-  if (first == kNone || height > conflicts_[first].height) {
-    conflicts_[k] = {f, first, height};
-    first = k;
-  } else {
-    conflicts_[k] = {f, conflicts_[first].next, height};
-    conflicts_[first].next = k;
-  }
+  conflicts_[k] = {f, facets_.height(f, points_[batch_[k]]).value};
 }
 
 /// A facet that q sees. Walks to neighbours whose sphere has the smaller power of q, which is the
@@ -276,23 +294,24 @@ void Inserter::add_conflict(Slot k, FacetIndex f) {
 FacetIndex Inserter::locate(Site q) const {
   FacetIndex f = last_;
   if (f == kNone) return kNone;
-  if (const auto i = facets_.infinite_corner(f); i != 4) {
+  if (facets_.infinite(f)) {
     if (facets_.visible(f, q)) return f;
-    f = facet_of(facets_.neighbors(f)[i]);
+    f = facet_of(facets_.neighbors(f)[3]);
     if (!own(f)) return kNone;
   }
-  Facets::Height h = facets_.height(f, q);
+  const Point3 point = points_[q];
+  Facets::Height h = facets_.height(f, point);
   if (h.value > h.error) return f;
-  double power = facets_.power(f, h);
-  bool at_border = false;  // of the range
+  double height = h.value;  // the negative power
+  bool at_border = false;   // of the range
   for (bool moved = true; moved;) {
     moved = false;
     at_border = false;
     for (const Ridge r : facets_.neighbors(f)) {
       const FacetIndex g = facet_of(r);
-      h = facets_.height(g, q);
+      h = facets_.height(g, point);
       const bool seen = h.value > h.error;
-      const bool nearer = !seen && facets_.infinite_corner(g) == 4 && facets_.power(g, h) < power;
+      const bool nearer = !seen && !facets_.infinite(g) && h.value > height;
       if (!seen && !nearer) continue;
       if (!own(g)) {
         at_border = true;
@@ -300,7 +319,7 @@ FacetIndex Inserter::locate(Site q) const {
       }
       if (seen) return g;
       f = g;
-      power = facets_.power(g, h);
+      height = h.value;
       moved = true;
       break;
     }
@@ -322,7 +341,7 @@ FacetIndex Inserter::locate_exactly(Site q, FacetIndex from) const {
       }
       f = facet_of(facets_.neighbors(f)[i]);
       if (!own(f)) return kNone;
-      if (facets_.infinite_corner(f) != 4) return f;
+      if (facets_.infinite(f)) return f;
       moved = true;
       break;
     }

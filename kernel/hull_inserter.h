@@ -21,6 +21,27 @@ struct SiteRange {
   bool all() const { return begin == 0 && end == kAtInfinity; }
 };
 
+/// A stack that is told ahead how much it will hold, so that a push is no more than a store.
+template <class T>
+class Stack {
+ public:
+  /// Room for n more.
+  void make_room(std::size_t n) {
+    if (room_.size() < size_ + n) room_.resize(2 * (size_ + n));
+  }
+  void push(const T& item) { room_[size_++] = item; }
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t k) { return room_[k]; }
+  const T& operator[](std::size_t k) const { return room_[k]; }
+  const T* begin() const { return room_.data(); }
+  const T* end() const { return room_.data() + size_; }
+
+ private:
+  std::vector<T> room_;
+  std::size_t size_ = 0;
+};
+
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
 /// one changes only facets all of whose corners are its own, and reads only those and their
 /// neighbours. A facet with three corners that are its own or at infinity is out of all others'
@@ -31,7 +52,7 @@ class Inserter {
   static constexpr std::size_t kBatch = 16;
 
   /// With all sites for its range. Facet 0 lives.
-  Inserter(std::span<const Point3> points, Facets& facets);
+  Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free);
   /// One with a range of its own that goes on from here, as this one can only by take_over().
   Inserter helper(SiteRange own);
   /// Goes on from where a helper ended.
@@ -47,10 +68,9 @@ class Inserter {
  private:
   /// A place in the batch.
   using Slot = std::uint32_t;
-  /// One point's conflict with the hull.
+  /// One point's conflict with the hull: all that share a facet are its conflict set.
   struct Conflict {
-    FacetIndex facet = kNone;  ///< whose set holds the point; kNone once it is in
-    Slot next = kNone;         ///< the next point of that set
+    FacetIndex facet = kNone;  ///< kNone once the point is in
     double height = 0;         ///< above that facet's hyperplane, up to rounding
   };
   /// A ridge between a visible facet and one that is not, as the cone's new facet will hold it.
@@ -62,9 +82,10 @@ class Inserter {
   bool own(FacetIndex f) const;
   bool insert_farthest(FacetIndex seen);
   // The four steps of Quickhull.
-  Slot pick_apex(FacetIndex f) { return facets_.farthest(f); }
+  Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
   void make_visible(FacetIndex f, Ridge through);
+  void look_ahead(Site apex, std::size_t k);
   void make_cone(Site apex);
   void reassign_conflicts();
 
@@ -73,6 +94,8 @@ class Inserter {
   void add_conflict(Slot k, FacetIndex f);
   void collect_orphans(Slot apex);
   std::uint32_t number_of(Site s, Site apex);
+  FacetIndex take_facet(std::size_t k);
+  template <std::size_t kStride>
   void link_cone();
   void link_large_cone();
 
@@ -86,23 +109,25 @@ class Inserter {
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};
   // Of the insertion under way:
-  std::vector<FacetIndex> visible_;
+  Stack<FacetIndex> visible_;
   struct FrontRidge {
     Ridge inner;  ///< seen from a visible facet
     Ridge outer;  ///< the same, seen from the other side
   };
-  std::vector<FrontRidge> front_;
-  std::vector<HorizonRidge> horizon_;
-  std::vector<Slot> orphans_;
-  std::vector<FacetIndex> cone_;                     ///< new facet per horizon ridge
-  std::vector<std::array<std::uint32_t, 3>> local_;  ///< its corners' numbers among the horizon's
-  std::vector<Spoke> spokes_;                        ///< per number, from the apex to the corner
-  std::uint32_t infinite_number_ = kNone;
+  Stack<FrontRidge> front_;
+  Stack<HorizonRidge> horizon_;
+  Stack<Slot> orphans_;
+  struct ConeFacet {
+    FacetIndex facet;
+    std::array<std::uint32_t, 3> numbers;  ///< of the horizon's corners 1 to 3
+  };
+  Stack<ConeFacet> cone_;  ///< per horizon ridge
+  Stack<Spoke> spokes_;    ///< per number, from the apex to the corner
   struct Number {
     std::uint32_t stamp;  ///< of the insertion in which it counts
     std::uint32_t number;
   };
-  LargeArray<Number> number_of_;   ///< per site of the range and, last, the one at infinity
+  LargeArray<Number> number_of_;   ///< per site and, last, the one at infinity
   std::vector<Ridge> half_ridge_;  ///< per ordered pair of numbers
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernel/large_array.h"
+#include "kernel/large_block.h"
 #include "kernel/parallel.h"
 
 namespace tetsculpt::hull {
@@ -52,13 +53,14 @@ Ordered in_order(const std::array<Site, 4>& corners) {
 
 class Output {
  public:
-  Output(Facets& facets, std::span<const FacetIndex> free, std::size_t site_count, int threads)
-      : facets_(facets),
+  Output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free, std::size_t site_count,
+         int threads)
+      : facets_(std::move(facets)),
         threads_(threads),
-        facet_count_(facets.size()),
-        count_(facets.size() - free.size()),
+        facet_count_(facets_.capacity()),
+        count_(facets_.capacity() - free.size()),
         first_(2 * site_count + 1, 0) {
-    for (const FacetIndex f : free) facets_.corners(f)[0] = kNone;
+    for (const FacetIndex f : free) facets_[f].corners[0] = kNone;
   }
 
   LiftedHull run() {
@@ -67,7 +69,6 @@ class Output {
     hull.finite_count = first_[first_.size() / 2];
     hull.tets.resize(count_);
     scatter(hull.tets);
-    facets_.release_hyperplanes();
     sort_buckets(hull.tets);
     hull.neighbors.resize(count_);
     write_neighbors(hull.neighbors);
@@ -75,12 +76,12 @@ class Output {
   }
 
  private:
-  bool lives(FacetIndex f) const { return facets_.corners(f)[0] != kNone; }
+  bool lives(FacetIndex f) const { return facets_[f].corners[0] != kNone; }
   /// One bucket per lowest corner; those of infinite facets come after all others.
   std::size_t bucket(FacetIndex f) const {
-    const auto& c = facets_.corners(f);
+    const auto& c = facets_[f].corners;
     const std::size_t lowest = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
-    return facets_.infinite_corner(f) == 4 ? lowest : lowest + first_.size() / 2;
+    return facets_[f].infinite() ? lowest + first_.size() / 2 : lowest;
   }
   template <class Visit>
   void for_each_living(Visit&& visit) const {
@@ -109,7 +110,7 @@ class Output {
     places_.resize(facet_count_);
     for_each_living([&](FacetIndex f) {
       const std::uint32_t at = count_one_up(bucket(f));
-      const Ordered ordered = in_order(facets_.corners(f));
+      const Ordered ordered = in_order(facets_[f].corners);
       tets[at] = ordered.corners;
       places_[f] = ordered.places;
       facet_at_[at] = f;
@@ -159,7 +160,7 @@ class Output {
       for (std::size_t t = begin; t < end; ++t) {
         const FacetIndex f = facet_at_[t];
         for (std::uint32_t i = 0; i < 4; ++i) {
-          const Ridge r = facets_.neighbors(f)[i];
+          const Ridge r = facets_[f].neighbors[i];
           const FacetIndex g = facet_of(r);
           neighbors[t][place(places_[f], i)] = 4 * index_[g] + place(places_[g], corner_of(r));
         }
@@ -167,7 +168,7 @@ class Output {
     });
   }
 
-  Facets& facets_;
+  LargeBlock<FacetLinks> facets_;
   int threads_;
   std::size_t facet_count_;  ///< living and dead
   std::size_t count_;
@@ -179,9 +180,9 @@ class Output {
 
 }  // namespace
 
-LiftedHull output(Facets& facets, std::span<const FacetIndex> free, std::size_t site_count,
-                  int threads) {
-  return Output(facets, free, site_count, threads).run();
+LiftedHull output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free,
+                  std::size_t site_count, int threads) {
+  return Output(std::move(facets), free, site_count, threads).run();
 }
 
 }  // namespace tetsculpt::hull

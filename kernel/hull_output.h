@@ -4,6 +4,7 @@
 #include <span>
 
 #include "kernel/hull_facets.h"
+#include "kernel/large_block.h"
 #include "kernel/lifted_hull.h"
 
 /// From the store of the growing hull to the result. Internal to kernel/lifted_hull.
@@ -12,7 +13,7 @@ namespace tetsculpt::hull {
 /// The facets that live, which are all but the free ones, as tetrahedra in canonical order: finite
 /// ones first, then by their corners in ascending order. Neighbours in space are then neighbours in
 /// memory, and it does not matter how the hull was made. Cost: three passes over the facets.
-LiftedHull output(Facets& facets, std::span<const FacetIndex> free, std::size_t site_count,
-                  int threads = 1);
+LiftedHull output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free,
+                  std::size_t site_count, int threads = 1);
 
 }  // namespace tetsculpt::hull

@@ -105,6 +105,8 @@ void* merged(std::vector<void*>& kept, void* block) noexcept {
   return block;
 }
 
+std::size_t block_size(std::size_t bytes) { return (kHeader + bytes + kPage - 1) / kPage * kPage; }
+
 }  // namespace
 
 LargeArrayReuse::LargeArrayReuse() {
@@ -118,7 +120,7 @@ LargeArrayReuse::~LargeArrayReuse() {
 
 void* allocate_large(std::size_t bytes) {
   if (bytes > std::numeric_limits<std::size_t>::max() / 4) throw std::bad_alloc();
-  const std::size_t size = (kHeader + bytes + kPage - 1) / kPage * kPage;
+  const std::size_t size = block_size(bytes);
   void* block = reuse ? take_kept(reuse->kept_, size) : nullptr;
   if (!block) block = new_block(size);
   return static_cast<char*>(block) + kHeader;
@@ -133,6 +135,15 @@ void free_large(void* memory) noexcept {
   } catch (const std::bad_alloc&) {
     give_back(block, size_of(block));
   }
+}
+
+void shrink_large(void* memory, std::size_t bytes) noexcept {
+  char* const block = static_cast<char*>(memory) - kHeader;
+  const std::size_t size = block_size(bytes);
+  if (!kDivisible || size >= size_of(block)) return;
+  size_of(block + size) = size_of(block) - size;
+  size_of(block) = size;
+  free_large(block + size + kHeader);
 }
 
 }  // namespace tetsculpt

@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 /// Arrays with an element per simplex, in memory that the system backs with large pages.
@@ -27,6 +30,8 @@ class LargeArrayReuse {
 /// std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
+/// Frees all but the first `bytes` bytes, where the system can do that.
+void shrink_large(void* memory, std::size_t bytes) noexcept;
 
 /// Sizes from which large pages pay; smaller arrays use std::allocator.
 inline constexpr std::size_t kLargeArrayBytes = std::size_t{1} << 20;
@@ -46,6 +51,16 @@ struct LargePageAllocator {
   void deallocate(T* memory, std::size_t n) noexcept {
     if (n < kLargeArrayBytes / sizeof(T)) return std::allocator<T>().deallocate(memory, n);
     free_large(memory);
+  }
+  /// resize(n) and LargeArray(n) leave new elements as they are: what fills an array needs no zeros
+  /// before.
+  template <class U>
+  void construct(U* element) noexcept(std::is_nothrow_default_constructible_v<U>) {
+    ::new (static_cast<void*>(element)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* element, Arguments&&... arguments) {
+    std::construct_at(element, std::forward<Arguments>(arguments)...);
   }
   friend bool operator==(const LargePageAllocator&, const LargePageAllocator&) { return true; }
 };

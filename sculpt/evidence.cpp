@@ -58,7 +58,7 @@ Evidence weigh_evidence(std::span<const Point3> points, const TetComplex& comple
   evidence.egh_triangles = egh_triangles;
   evidence.inside_bias.assign(complex.finite_tet_count(), 0);
   evidence.believed.resize(points.size());
-  LargeArray<OrientedPoint> oriented(points.size());
+  LargeArray<OrientedPoint> oriented(points.size(), {{0, 0, 0}, {0, 0, 0}});
   const auto draw = [&](TetId pole, double to_inside) {
     if (complex.finite(pole)) evidence.inside_bias[+pole] += static_cast<float>(to_inside);
   };

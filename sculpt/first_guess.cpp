@@ -6,8 +6,10 @@
 #include "sculpt/first_guess.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -43,24 +45,25 @@ class Propagation {
     side_[LabelGraph::kOutside] = Side::kOutside;
     spread(LabelGraph::kOutside);
     while (!queue_.empty()) {
-      const Entry entry = queue_.top();
+      const Entry top = queue_.top();
       queue_.pop();
-      Side& side = side_[entry.node];
-      if (side != Side::kUnknown || entry.certainty != certainty(entry.node)) continue;
-      side = for_inside_[entry.node] > for_outside_[entry.node] ? Side::kInside : Side::kOutside;
-      spread(entry.node);
+      const Node x = ~static_cast<Node>(top);
+      if (side_[x] != Side::kUnknown || top != entry(x)) continue;
+      side_[x] = for_inside_[x] > for_outside_[x] ? Side::kInside : Side::kOutside;
+      spread(x);
     }
     return std::move(side_);
   }
 
  private:
-  struct Entry {
-    float certainty;
-    Node node;
-    bool operator<(const Entry& other) const {
-      return certainty != other.certainty ? certainty < other.certainty : node > other.node;
-    }
-  };
+  /// The larger, the sooner: a node's certainty and, among equals, the lower node.
+  using Entry = std::uint64_t;
+  Entry entry(Node x) const {
+    const auto bits = std::bit_cast<std::uint32_t>(certainty(x) + 0.0f);  // no negative zero
+    // In the order of their values: the bits of a float, or of a negative one their complement.
+    const std::uint32_t ordered = bits >> 31 != 0 ? ~bits : bits | 0x80000000u;
+    return Entry{ordered} << 32 | static_cast<Node>(~x);
+  }
 
   void list_oppositions(std::span<const PolePair> pairs) {
     first_.assign(graph_.node_count() + 1, 0);
@@ -93,7 +96,7 @@ class Propagation {
     float& evidence = inside ? for_inside_[x] : for_outside_[x];
     if (strength <= evidence) return;
     evidence = strength;
-    queue_.push({certainty(x), x});
+    queue_.push(entry(x));
   }
 
   /// Tells a node's neighbours and opposite poles what its side means for them.

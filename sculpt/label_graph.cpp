@@ -55,21 +55,14 @@ void number_nodes(const TetComplex& complex, DisjointSets& sets, LabelGraph& gra
   }
 }
 
-/// A triangle between two nodes.
-struct Border {
-  TriangleId triangle;
-  LabelGraph::Node a;
-  LabelGraph::Node b;
-};
-
-LargeArray<Border> borders(const TetComplex& complex, const LabelGraph& graph) {
-  LargeArray<Border> found;
+/// Calls visit with each triangle between two nodes, and with these.
+template <class Visit>
+void for_each_border(const TetComplex& complex, const LabelGraph& graph, Visit&& visit) {
   for_each_triangle(complex, [&](TriangleId t, TetId first, TetId second) {
-    const auto a = graph.node_of_tet[+first];
-    const auto b = graph.node_of_tet[+second];
-    if (a != b) found.push_back({t, a, b});
+    const LabelGraph::Node a = graph.node_of_tet[+first];
+    const LabelGraph::Node b = graph.node_of_tet[+second];
+    if (a != b) visit(t, a, b);
   });
-  return found;
 }
 
 }  // namespace
@@ -77,23 +70,24 @@ LargeArray<Border> borders(const TetComplex& complex, const LabelGraph& graph) {
 LabelGraph label_graph(const TetComplex& complex, std::span<const float> overlap,
                        const Flags& alone) {
   LabelGraph graph;
-  DisjointSets sets = joined_tets(complex, overlap, alone);
-  number_nodes(complex, sets, graph);
-  const LargeArray<Border> between = borders(complex, graph);
-  graph.first.assign(graph.node_count() + 1, 0);
-  for (const Border& border : between) {
-    ++graph.first[border.a + 1];
-    ++graph.first[border.b + 1];
+  {
+    DisjointSets sets = joined_tets(complex, overlap, alone);
+    number_nodes(complex, sets, graph);
   }
+  graph.first.assign(graph.node_count() + 1, 0);
+  for_each_border(complex, graph, [&](TriangleId, LabelGraph::Node a, LabelGraph::Node b) {
+    ++graph.first[a + 1];
+    ++graph.first[b + 1];
+  });
   std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
   graph.arcs.resize(graph.first.back());
   LargeArray<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
-  for (const auto& [t, a, b] : between) {
+  for_each_border(complex, graph, [&](TriangleId t, LabelGraph::Node a, LabelGraph::Node b) {
     const std::uint32_t there = next[a]++;
     const std::uint32_t back = next[b]++;
     graph.arcs[there] = {b, back, t};
     graph.arcs[back] = {a, there, t};
-  }
+  });
   return graph;
 }
 

@@ -40,7 +40,8 @@ Flags expanded(const LabelGraph& graph, const Flags& inside) {
 LargeArray<MinCut::Capacity> capacities(const LabelGraph& graph, const Evidence& evidence) {
   LargeArray<MinCut::Capacity> capacity(graph.arcs.size());
   for (std::size_t a = 0; a < capacity.size(); ++a) {
-    capacity[a] = units(evidence.facet_cost(graph.arcs[a].triangle));
+    const LabelGraph::Arc& arc = graph.arcs[a];
+    capacity[a] = arc.mate < a ? capacity[arc.mate] : units(evidence.facet_cost(arc.triangle));
   }
   return capacity;
 }

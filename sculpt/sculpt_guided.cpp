@@ -36,6 +36,30 @@ bool is_surface(CutLabels& cut, const TetComplex& complex, const Circumspheres& 
          expose_hidden(complex, spheres, hidden, cut.inside).empty();
 }
 
+/// What is known before the cut.
+struct Knowledge {
+  Flags alone;  ///< tetrahedra that make a node each
+  LabelGraph graph;
+  Evidence evidence;
+};
+
+Knowledge gather(std::span<const Point3> points, const TetComplex& complex,
+                 const Circumspheres& spheres, const Flags& egh_triangles,
+                 const std::function<void(double)>& progress) {
+  Knowledge known;
+  const LargeArray<PolePair> pairs = poles(points, complex, spheres);
+  LargeArray<float> overlap = overlaps(complex, spheres);
+  progress(0.3);
+  known.graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  known.alone = contradicted_tets(complex, known.graph, pairs);
+  if (any(known.alone)) known.graph = label_graph(complex, overlap, known.alone);
+  const LargeArray<Side> guess = first_guess(known.graph, overlap, pairs);
+  progress(0.5);
+  known.evidence = weigh_evidence(points, complex, spheres, pairs, known.graph, guess,
+                                  std::move(overlap), egh_triangles);
+  return known;
+}
+
 }  // namespace
 
 Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& complex,
@@ -44,21 +68,12 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
     if (options.progress) options.progress(done);
   };
   const Circumspheres spheres(points, complex);
-  const LargeArray<PolePair> pairs = poles(points, complex, spheres);
-  LargeArray<float> overlap = overlaps(complex, spheres);
-  progress(0.3);
-  LabelGraph graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
-  Flags alone = contradicted_tets(complex, graph, pairs);
-  if (any(alone)) graph = label_graph(complex, overlap, alone);
-  const LargeArray<Side> guess = first_guess(graph, overlap, pairs);
-  progress(0.5);
-  const Evidence evidence = weigh_evidence(points, complex, spheres, pairs, graph, guess,
-                                           std::move(overlap), egh_triangles);
+  Knowledge known = gather(points, complex, spheres, egh_triangles, progress);
   progress(0.7);
-  CutLabels cut = cut_labels(complex, graph, evidence);
+  CutLabels cut = cut_labels(complex, known.graph, known.evidence);
   progress(0.9);
   if (is_surface(cut, complex, spheres)) return {.solid = std::move(cut.inside)};
-  return mended_surface(complex, spheres, evidence, cut.faults, std::move(alone));
+  return mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone));
 }
 
 }  // namespace tetsculpt

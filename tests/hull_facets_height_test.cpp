@@ -64,10 +64,12 @@ TEST_CASE("heights and their errors against exact signs") {
     if (volume == Sign::kZero) continue;
     if (volume == Sign::kNegative) std::swap(p[0], p[1]);
     hull::Facets facets(p, std::ldexp(1.0, unit_exponent(p)));
-    const hull::FacetIndex f = facets.append();
+    std::vector<hull::FacetIndex> free;
+    facets.append(1, free);
+    const hull::FacetIndex f = free.back();
     facets.corners(f) = {0, 1, 2, 3};
     facets.set_hyperplane(f);
-    const hull::Facets::Height h = facets.height(f, 4);
+    const hull::Facets::Height h = facets.height(f, p[4]);
     const Sign exact = exact::insphere(p[0], p[1], p[2], p[3], p[4]);
     ties += exact == Sign::kZero;
     if (std::fabs(h.value) > h.error) {
