@@ -22,10 +22,10 @@ TEST_CASE("help goes to stdout and names every option and status") {
     CHECK(run.err.empty());
     CHECK(run.out.starts_with("Usage: tetsculpt "));
     for (const std::string part :
-         {"--method", "--criterion", "--skip-invalid", "--threads",   "--stats",
-          "--quiet",  "--help",      "--version",      "constrained", "longest",
-          "area",     "gamma",       "paper",          "Exit status", "\n  0 ",
-          "\n  1 ",   "\n  2 ",      "\n  3 ",         "\n  4 ",      "\n  5 "}) {
+         {"--method", "--criterion", "--skip-invalid", "--threads", "--stats", "--quiet",
+          "--help",   "--version",   "constrained",    "longest",   "area",    "gamma",
+          "paper",    "Exit status", "\n  0 ",         "--picture", "--view",  "--up",
+          "\n  1 ",   "\n  2 ",      "\n  3 ",         "\n  4 ",    "\n  5 "}) {
       INFO(part);
       CHECK(run.out.find(part) != std::string::npos);
     }

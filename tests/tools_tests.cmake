@@ -17,6 +17,7 @@ if(TARGET tetsculpt_cli)
     name
     cli_exit_status_test
     cli_output_files_test
+    cli_picture_test
     cli_scan_test
     cli_stats_test
     cli_usage_test)

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
 
+#include "io/extension.h"
+#include "io/parse_number.h"
 #include "io/write_mesh.h"
 
 namespace tetsculpt::cli {
@@ -22,6 +25,8 @@ constexpr std::array<Named<Criterion>, 4> kCriteria{{{"area", Criterion::kMinima
                                                      {"gamma", Criterion::kGamma},
                                                      {"longest", Criterion::kLongestEdge},
                                                      {"constrained", Criterion::kConstrained}}};
+constexpr std::array<Named<UpAxis>, 3> kAxes{
+    {{"x", UpAxis::kX}, {"y", UpAxis::kY}, {"z", UpAxis::kZ}}};
 
 template <class Value, std::size_t N>
 Value value_of(std::string_view option, std::string_view word,
@@ -48,6 +53,26 @@ int threads_of(std::string_view word) {
     throw UsageError("--threads: '" + std::string(word) + "' is not a number from 1 to 1024");
   }
   return threads;
+}
+
+/// Sets the two angles of `view`.
+void take_angles(std::string_view word, View& view) {
+  const std::size_t comma = word.find(',');
+  const auto number = [](std::string_view text) {
+    const ParsedNumber<double> parsed = parse_number<double>(text);
+    const bool whole =
+        parsed.fault == NumberFault::kNone && parsed.end == text.data() + text.size();
+    return whole && std::isfinite(parsed.value) ? std::optional(parsed.value) : std::nullopt;
+  };
+  const auto azimuth = number(word.substr(0, comma));
+  const auto elevation =
+      comma == std::string_view::npos ? std::nullopt : number(word.substr(comma + 1));
+  if (!azimuth || !elevation || std::abs(*elevation) > 90) {
+    throw UsageError("--view: '" + std::string(word) +
+                     "' is not AZIMUTH,ELEVATION in degrees, the elevation from -90 to 90");
+  }
+  view.azimuth = *azimuth;
+  view.elevation = *elevation;
 }
 
 /// One pass over the words.
@@ -97,6 +122,15 @@ class Parser {
       out_.options.criterion = value_of(option, value(option), kCriteria);
     } else if (option == "--threads") {
       out_.options.threads = threads_of(value(option));
+    } else if (option == "--picture") {
+      out_.picture = value(option);
+      if (out_.picture.empty()) throw UsageError("--picture needs a file");
+    } else if (option == "--view") {
+      take_angles(value(option), out_.view);
+      view_option_ = option;
+    } else if (option == "--up") {
+      out_.view.up = value_of(option, value(option), kAxes);
+      view_option_ = option;
     } else {
       throw UsageError("unknown option '" + std::string(option) + "'");
     }
@@ -117,6 +151,12 @@ class Parser {
       throw UsageError(out_.output.string() +
                        ": unknown kind of output file; use .ply, .obj, .off, .stl or .wrl");
     }
+    if (!out_.picture.empty() && lowercase_extension(out_.picture) != ".png") {
+      throw UsageError(out_.picture.string() + ": unknown kind of picture; use .png");
+    }
+    if (out_.picture.empty() && !view_option_.empty()) {
+      throw UsageError(std::string(view_option_) + " without --picture");
+    }
   }
 
   std::span<const char* const> words_;
@@ -124,6 +164,7 @@ class Parser {
   int files_ = 0;
   bool options_ended_ = false;
   std::optional<std::string_view> attached_;
+  std::string_view view_option_;  // the last one that says how the picture is taken
   Arguments out_;
 };
 
@@ -154,6 +195,11 @@ Options:
                      many; without this they are an error
   --threads N        use at most N threads (default: all cores); the surface
                      does not depend on it
+  --picture FILE     draw the surface, too, into a .png file; what is seen of it
+                     from inside is red
+  --view AZ,EL       from where, in degrees: AZ around the upright axis, EL above
+                     (default: 30,20)
+  --up AXIS          which axis is upright in the picture: x, y, z (the default)
   --stats            print what was computed as one JSON object on stdout
   -q, --quiet        no progress and no summary
   -h, --help         this text
@@ -161,6 +207,7 @@ Options:
 
 Examples:
   tetsculpt scan.xyz surface.ply
+  tetsculpt --picture kitten.png --up y kitten.xyz kitten.ply
   tetsculpt --stats slices.csv organ.stl > organ.json
 
 Exit status:

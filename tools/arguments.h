@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/picture.h"
 #include "sculpt/reconstruct.h"
 
 /// The command line of `tetsculpt`.
@@ -16,6 +17,8 @@ struct Arguments {
   Action action = Action::kReconstruct;
   std::filesystem::path input;
   std::filesystem::path output;
+  std::filesystem::path picture;  ///< empty: none
+  View view;
   ReconstructOptions options;
   bool quiet = false;
   bool stats = false;

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "io/io_error.h"
+#include "io/picture.h"
+#include "io/png_writer.h"
 #include "io/read_points.h"
 #include "io/write_mesh.h"
 #include "sculpt/reconstruct.h"
@@ -65,6 +67,13 @@ void report_hidden(const std::vector<std::size_t>& hidden,
   std::fprintf(stderr, "\n");
 }
 
+/// Throws IoError.
+void write_outputs(const Arguments& arguments, const TriangleMesh& mesh, Precision precision) {
+  write_mesh(mesh, arguments.output, {.precision = precision});
+  if (arguments.picture.empty()) return;
+  write_png(draw({.mesh = &mesh}, arguments.view), arguments.picture);
+}
+
 int run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   RunFacts facts;
@@ -102,7 +111,7 @@ int run(const Arguments& arguments) {
 
   const auto write_start = std::chrono::steady_clock::now();
   try {
-    write_mesh(result.mesh, arguments.output, {.precision = file.precision});
+    write_outputs(arguments, result.mesh, file.precision);
   } catch (const IoError& error) {
     return fail(kNoOutput, error.what());
   }
