@@ -118,7 +118,7 @@ std::string filtered_rows(const Image& image) {
 }  // namespace
 
 std::string png(const Image& image) {
-  constexpr std::size_t kLargest = std::numeric_limits<std::int32_t>::max();
+  [[maybe_unused]] constexpr std::size_t kLargest = std::numeric_limits<std::int32_t>::max();
   assert(image.width >= 1 && image.width <= kLargest);
   assert(image.height >= 1 && image.height <= kLargest);
   assert(image.rgb.size() == kChannels * image.width * image.height);
