@@ -43,7 +43,7 @@ class PaperSculptor {
         priority_(options.criterion, points, complex),
         heap_(Later{&complex}) {
     for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-      if (exposure(boundary_, TetId{t}).faces > 0) touched_.push_back(TetId{t});
+      if (look(TetId{t}).faces > 0) touched_.push_back(TetId{t});
     }
   }
 
@@ -65,7 +65,13 @@ class PaperSculptor {
     PseudoPrism prism;
   };
 
+  /// How t meets the boundary, counted as one look.
+  Exposure look(TetId t) {
+    ++out_.work.looks;
+    return exposure(boundary_, t);
+  }
   void run_step(Step step);
+  bool current(Step step, const Entry& entry);
   bool done(Step step) const;
   bool allowed(Step step, TetId t, const Exposure& e) const;
   bool in_egh(TetId t, const Exposure& e) const;
@@ -78,7 +84,7 @@ class PaperSculptor {
   bool open_hole();
   void find_prisms();
   bool before(const PrismEntry& a, const PrismEntry& b) const;
-  std::uint32_t prism_rank(const PseudoPrism& prism) const;
+  std::uint32_t prism_rank(const PseudoPrism& prism);
 
   const TetComplex& complex_;
   const Constraints& constraints_;
@@ -119,12 +125,21 @@ void PaperSculptor::run_step(Step step) {
   while (!heap_.empty() && !done(step)) {
     const Entry entry = heap_.top();
     heap_.pop();
-    if (!boundary_.solid(entry.tet)) continue;
-    const Exposure e = exposure(boundary_, entry.tet);
-    if (!allowed(step, entry.tet, e) || key(step, entry.tet, e) != entry.key) continue;
+    ++out_.work.pops;
+    if (!current(step, entry)) {
+      ++out_.work.stale;
+      continue;
+    }
     remove(entry.tet);
     push_touched(step);
   }
+}
+
+/// Would the entry be pushed again as it is?
+bool PaperSculptor::current(Step step, const Entry& entry) {
+  if (!boundary_.solid(entry.tet)) return false;
+  const Exposure e = look(entry.tet);
+  return allowed(step, entry.tet, e) && key(step, entry.tet, e) == entry.key;
 }
 
 bool PaperSculptor::done(Step step) const {
@@ -187,8 +202,10 @@ double PaperSculptor::key(Step step, TetId t, const Exposure& e) const {
 
 void PaperSculptor::push(Step step, TetId t) {
   if (!boundary_.solid(t)) return;
-  const Exposure e = exposure(boundary_, t);
-  if (allowed(step, t, e)) heap_.push({key(step, t, e), t});
+  const Exposure e = look(t);
+  if (!allowed(step, t, e)) return;
+  heap_.push({key(step, t, e), t});
+  ++out_.work.pushes;
 }
 
 void PaperSculptor::push_touched(Step step) {
@@ -232,21 +249,23 @@ void PaperSculptor::find_prisms() {
   for (; seen_by_prisms_ < touched_.size(); ++seen_by_prisms_) {
     const TetId t = touched_[seen_by_prisms_];
     if (!boundary_.solid(t)) continue;
-    const Exposure e = exposure(boundary_, t);
+    const Exposure e = look(t);
     for (int i = 0; i < 4; ++i) {
       if (!e.on_boundary[static_cast<std::size_t>(i)]) continue;
+      ++out_.work.bases;
       for (const PseudoPrism& prism : pseudo_prisms(boundary_, t, i, constraints_.emst_edges)) {
         prisms_.push_back({prism_rank(prism), prism});
+        ++out_.work.prisms;
         std::push_heap(prisms_.begin(), prisms_.end(), later);
       }
     }
   }
 }
 
-std::uint32_t PaperSculptor::prism_rank(const PseudoPrism& prism) const {
+std::uint32_t PaperSculptor::prism_rank(const PseudoPrism& prism) {
   std::uint32_t rank = 0;
   for (const TetId t : {prism.tets[0], prism.tets[2]}) {
-    rank = std::max(rank, priority_.longest_edge_rank(t, exposure(boundary_, t)));
+    rank = std::max(rank, priority_.longest_edge_rank(t, look(t)));
   }
   return rank;
 }

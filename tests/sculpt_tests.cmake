@@ -12,6 +12,7 @@ foreach(
   paper_lifting_test
   paper_order_test
   paper_rules_test
+  paper_work_test
   priority_corner_order_test
   priority_definition_test
   prism_brute_force_test

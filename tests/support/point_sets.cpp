@@ -184,6 +184,28 @@ std::vector<Point3> random_torus(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
+std::vector<Point3> random_double_torus(std::size_t n, std::uint64_t seed) {
+  // Points of a thin layer about the surface, brought onto it by Newton steps.
+  constexpr double kHalfLayer = 0.02;
+  Random random(seed);
+  std::vector<Point3> points;
+  while (points.size() < n) {
+    Point3 p{random.uniform(-1.2, 1.2), random.uniform(-0.6, 0.6), random.uniform(-0.25, 0.25)};
+    for (int step = 0; step < 6; ++step) {
+      const double r2 = p.x * p.x + p.y * p.y;
+      const double lemniscate = r2 * r2 - p.x * p.x + p.y * p.y;
+      const double value = lemniscate * lemniscate + p.z * p.z - 0.02;
+      const Point3 g{2 * lemniscate * p.x * (4 * r2 - 2), 2 * lemniscate * p.y * (4 * r2 + 2),
+                     2 * p.z};
+      const double g2 = g.x * g.x + g.y * g.y + g.z * g.z;
+      if (step == 0 && !(value * value < kHalfLayer * kHalfLayer * g2)) break;
+      p = {p.x - value * g.x / g2, p.y - value * g.y / g2, p.z - value * g.z / g2};
+      if (step == 5) points.push_back(p);
+    }
+  }
+  return points;
+}
+
 std::vector<Point3> sphere(double spacing, std::uint64_t seed) {
   const Field f = [](const Point3& p) { return p.x * p.x + p.y * p.y + p.z * p.z - 1; };
   return implicit_surface(f, {1, 1, 1}, spacing, seed);

@@ -49,6 +49,8 @@ std::vector<Point3> clusters(std::size_t n, std::uint64_t seed);
 std::vector<Point3> bumpy_sphere(std::size_t n, std::uint64_t seed);
 /// Radii 1 and 0.4.
 std::vector<Point3> random_torus(std::size_t n, std::uint64_t seed);
+/// The surface of double_torus; to a few per cent uniform.
+std::vector<Point3> random_double_torus(std::size_t n, std::uint64_t seed);
 
 // Well-sampled closed surfaces: points at least `spacing` apart, dense but irregular (dart
 // throwing).
