@@ -109,7 +109,8 @@ def graph_figures(found):
         parts.append(f"<h2>Figure {name}</h2>")
         parts += [figure(file, text) if file else f"<p>{html.escape(text)}</p>" for file, text in found.get(name, [])]
     rows = [text.split(" | ") for _, text in found["cycles"]]
-    parts += ["<h2>3-cycles of the EGH</h2>", "<p>The paper's theorem: each is a triangle of the Delaunay complex.</p>",
+    parts += ["<h2>3-cycles of the EGH</h2>", "<p>The paper says that each is a triangle of the Delaunay complex. That does not hold: three edges of the "
+              "complex may bound none. Such cycles are left out of the EGH's triangles here.</p>",
               table(CYCLES, rows)]
     return parts
 
