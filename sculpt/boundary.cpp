@@ -1,6 +1,7 @@
 #include "sculpt/boundary.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace tetsculpt {
@@ -20,22 +21,25 @@ Boundary::Boundary(const TetComplex& complex) : Boundary(complex, all_finite(com
 Boundary::Boundary(const TetComplex& complex, Flags solid)
     : complex_(&complex),
       solid_(std::move(solid)),
-      triangle_(complex.triangle_count(), 0),
+      faces_(complex.tet_count(), 0),
       triangles_at_edge_(complex.edge_count(), 0),
       triangles_at_vertex_(complex.vertex_count(), 0),
       hidden_(complex.vertex_count()) {
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const Facet f = complex.facet(TriangleId{t});
-    if (solid_[+f.tet] != solid_[+complex.neighbor(f.tet, f.corner)]) toggle(f.tet, f.corner);
+    if (solid_[+f.tet] != solid_[+complex.neighbor(f.tet, f.corner)]) toggle(f);
   }
 }
 
 /// Puts a triangle on the boundary or takes it off.
-void Boundary::toggle(TetId t, int corner) {
-  const auto& facet = kFacetCorners[static_cast<std::size_t>(corner)];
+void Boundary::toggle(Facet f) {
+  const TetId t = f.tet;
+  const auto& facet = kFacetCorners[static_cast<std::size_t>(f.corner)];
   const auto& v = complex_->vertices(t);
-  std::uint8_t& on = triangle_[+complex_->triangle(t, corner)];
-  on ^= 1;
+  const Facet other = complex_->across(t, f.corner);
+  faces_[+t] = static_cast<std::uint8_t>(faces_[+t] ^ 1u << f.corner);
+  faces_[+other.tet] = static_cast<std::uint8_t>(faces_[+other.tet] ^ 1u << other.corner);
+  const bool on = on_boundary(f);
   const std::uint32_t change = on ? 1u : 0xffffffffu;
   /// True if the simplex comes to the boundary or leaves it.
   const auto counted = [&](std::uint32_t& count) {
@@ -61,7 +65,7 @@ void Boundary::remove(TetId t) {
 void Boundary::flip(TetId t) {
   assert(complex_->finite(t));
   solid_[+t] ^= 1;
-  for (int i = 0; i < 4; ++i) toggle(t, i);
+  for (int i = 0; i < 4; ++i) toggle({t, i});
 }
 
 std::vector<VertexId> Boundary::hidden_vertices() const {
@@ -74,23 +78,19 @@ std::vector<VertexId> Boundary::hidden_vertices() const {
 
 Exposure exposure(const Boundary& boundary, TetId t) {
   const TetComplex& complex = boundary.complex();
+  const unsigned faces = boundary.faces(t);
   Exposure e;
-  int opposite = 0;  // with one boundary face, the corner opposite to it
-  for (int i = 0; i < 4; ++i) {
-    const bool on = boundary.solid(complex.neighbor(t, i)) != boundary.solid(t);
-    e.on_boundary[static_cast<std::size_t>(i)] = on;
-    e.faces += on;
-    if (on) opposite = i;
-  }
+  e.faces = std::popcount(faces);
+  for (std::size_t i = 0; i < 4; ++i) e.on_boundary[i] = (faces >> i & 1) != 0;
   if (e.faces == 1) {
-    e.removable = !boundary.on_boundary(complex.vertices(t)[static_cast<std::size_t>(opposite)]);
+    const auto opposite = static_cast<std::size_t>(std::countr_zero(faces));
+    e.removable = !boundary.on_boundary(complex.vertices(t)[opposite]);
   } else if (e.faces == 2) {
     // Facets i and j are opposite corners i and j: their common edge joins the other two corners,
     // and the edge opposite to it joins i and j.
-    for (std::size_t k = 0; k < 6; ++k) {
-      const auto [i, j] = kEdgeCorners[k];
-      if (e.on_boundary[i] && e.on_boundary[j]) e.opposite_edge = static_cast<int>(k);
-    }
+    const auto i = static_cast<std::size_t>(std::countr_zero(faces));
+    const auto j = static_cast<std::size_t>(std::countr_zero(faces & (faces - 1)));
+    e.opposite_edge = kEdgeOfCorners[i][j];
     e.removable = !boundary.on_boundary(complex.edge(t, e.opposite_edge));
   }
   return e;
@@ -125,7 +125,9 @@ std::optional<std::string> broken_invariant(const Boundary& boundary) {
     for (const VertexId v : complex.vertices(TriangleId{t})) vertex[+v] = 1;
   }
   for (std::uint32_t t = 0; t < triangle.size(); ++t) {
-    if (boundary.on_boundary(TriangleId{t}) != (triangle[t] != 0)) {
+    const Facet f = complex.facet(TriangleId{t});
+    for (const Facet side : {f, complex.across(f.tet, f.corner)}) {
+      if (boundary.on_boundary(side) == (triangle[t] != 0)) continue;
       return "triangle " + std::to_string(t) + " is wrongly marked";
     }
   }

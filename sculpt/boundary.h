@@ -28,7 +28,10 @@ class Boundary {
   const TetComplex& complex() const { return *complex_; }
   bool solid(TetId t) const { return solid_[+t] != 0; }
   const Flags& solid() const { return solid_; }
-  bool on_boundary(TriangleId t) const { return triangle_[+t] != 0; }
+  /// The facets of a tetrahedron that are on the boundary, a bit per opposite corner.
+  std::uint8_t faces(TetId t) const { return faces_[+t]; }
+  bool on_boundary(Facet f) const { return (faces_[+f.tet] >> f.corner & 1) != 0; }
+  bool on_boundary(TriangleId t) const { return on_boundary(complex_->facet(t)); }
   bool on_boundary(EdgeId e) const { return triangles_at_edge_[+e] != 0; }
   bool on_boundary(VertexId v) const { return triangles_at_vertex_[+v] != 0; }
   /// How many boundary triangles hold the vertex.
@@ -46,11 +49,11 @@ class Boundary {
   void flip(TetId t);
 
  private:
-  void toggle(TetId t, int corner);
+  void toggle(Facet f);
 
   const TetComplex* complex_;
   Flags solid_;
-  Flags triangle_;
+  Flags faces_;
   LargeArray<std::uint32_t> triangles_at_edge_;
   LargeArray<std::uint32_t> triangles_at_vertex_;
   std::size_t hidden_;

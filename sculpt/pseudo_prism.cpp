@@ -1,5 +1,6 @@
 #include "sculpt/pseudo_prism.h"
 
+#include <bit>
 #include <optional>
 
 namespace tetsculpt {
@@ -40,8 +41,7 @@ std::optional<Chain> chain_of(const Boundary& boundary, const PseudoPrism& prism
     const VertexId d = vertex(complex, middle, cd[1 - swap]);
     const Facet abc{first, corner_of(complex.vertices(first), d)};
     const Facet def{last, corner_of(complex.vertices(last), c)};
-    if (!boundary.on_boundary(complex.triangle(abc.tet, abc.corner)) ||
-        !boundary.on_boundary(complex.triangle(def.tet, def.corner))) {
+    if (!boundary.on_boundary(abc) || !boundary.on_boundary(def)) {
       continue;
     }
     return Chain{vertex(complex, first, a),  vertex(complex, middle, b), c, d,
@@ -61,19 +61,20 @@ EdgeId edge_between(const TetComplex& complex, TetId t, VertexId p, VertexId q) 
 bool is_pseudo_prism(const Boundary& boundary, const PseudoPrism& prism,
                      const Flags& flagged_edges) {
   const TetComplex& complex = boundary.complex();
+  const auto [first, middle, last] = prism.tets;
   for (const TetId t : prism.tets) {
     if (!boundary.solid(t)) return false;
+  }
+  // Only the bases are on the boundary: no other facet of the three, the coastal triangles
+  // included.
+  if (boundary.faces(middle) != 0 || std::popcount(boundary.faces(first)) != 1 ||
+      std::popcount(boundary.faces(last)) != 1) {
+    return false;
   }
   const std::optional<Chain> chain = chain_of(boundary, prism);
   if (!chain) return false;
   const auto [a, b, c, d, e, f] = *chain;
   if (a == e || a == f || b == f) return false;
-  // Only the bases are on the boundary: no other facet of the three, the coastal triangles
-  // included.
-  int faces = 0;
-  for (const TetId t : prism.tets) faces += exposure(boundary, t).faces;
-  if (faces != 2) return false;
-  const auto [first, middle, last] = prism.tets;
   const std::array<EdgeId, 6> coastal{
       edge_between(complex, first, a, d),  edge_between(complex, middle, b, d),
       edge_between(complex, middle, c, d), edge_between(complex, middle, b, e),

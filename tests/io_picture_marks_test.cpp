@@ -38,13 +38,13 @@ TEST_CASE("azimuth and elevation: which face of a cube is seen") {
     double azimuth;
     double elevation;
   };
-  for (const auto& [dot, azimuth, elevation] :
+  for (const Case& c :
        {Case{{1, 0, 0}, 0, 0}, Case{{0, 1, 0}, 90, 0}, Case{{-1, 0, 0}, 180, 0},
         Case{{0, -1, 0}, -90, 0}, Case{{0, 0, 1}, 0, 90}, Case{{0, 0, -1}, 0, -90}}) {
-    INFO(azimuth, " ", elevation);
-    CHECK(middle(cube_with_dot(dot, azimuth, elevation)) == kGreen);
-    CHECK(middle(cube_with_dot(dot, azimuth + 360, elevation)) == kGreen);
-    CHECK(count_pixels(cube_with_dot(dot, azimuth + 180, -elevation), green) == 0);
+    INFO(c.azimuth, " ", c.elevation);
+    CHECK(middle(cube_with_dot(c.dot, c.azimuth, c.elevation)) == kGreen);
+    CHECK(middle(cube_with_dot(c.dot, c.azimuth + 360, c.elevation)) == kGreen);
+    CHECK(count_pixels(cube_with_dot(c.dot, c.azimuth + 180, -c.elevation), green) == 0);
   }
   const Image right = cube_with_dot({0, 1, 0}, 45, 0);  // x to the left, y to the right
   std::size_t on_the_right = 0;
