@@ -21,7 +21,7 @@ TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count)
     : finite_count_(hull.finite_count),
       tets_(std::move(hull.tets)),
       neighbors_(std::move(hull.neighbors)),
-      tet_of_vertex_(vertex_count) {
+      tet_of_vertex_(vertex_count, TetId{0}) {
   for (std::size_t t = finite_count_; t-- > 0;) {
     for (const VertexId v : tets_[t]) tet_of_vertex_[+v] = TetId{static_cast<std::uint32_t>(t)};
   }
