@@ -10,6 +10,7 @@
 #include <iostream>
 #include <numbers>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,6 @@
 #include "bench/inputs.h"
 #include "bench/paper_stages.h"
 #include "bench/surface_measures.h"
-#include "sculpt/boundary.h"
 #include "sculpt/reconstruct.h"
 #include "support/point_sets.h"
 
@@ -241,6 +241,7 @@ void draw_hole(Album& album) {
 /// Figure 6: the four criteria and guided sculpting on one body.
 void draw_criteria(Album& album) {
   const std::vector<Point3> points = dumbbell(0.12, 1);
+  const PaperStages stages = paper_stages(points);
   struct Way {
     const char* name;
     const char* title;
@@ -264,7 +265,7 @@ void draw_criteria(Album& album) {
     std::snprintf(text.data(), text.size(),
                   "%s | %.3f | %.2e | %.3f | %zu of %zu | %zu | %zu | %zu", way.title,
                   surface_area(r.mesh) / dumbbell_area(), distance.mean, distance.largest,
-                  sharp_triangles(r.mesh), r.mesh.triangles.size(), tree_edges_off(points, r.mesh),
+                  sharp_triangles(r.mesh), r.mesh.triangles.size(), tree_edges_off(stages, r.mesh),
                   topology(r.mesh).genus, r.hidden.size());
     album.add("6: criteria", std::string("criterion_") + way.name, scene, side, text.data());
   }

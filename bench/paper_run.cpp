@@ -1,65 +1,25 @@
 #include "bench/paper_run.h"
 
 #include <algorithm>
-#include <ctime>
 #include <numeric>
 #include <vector>
 
-#include "kernel/delaunay.h"
-#include "kernel/emst.h"
-#include "kernel/gabriel.h"
-#include "kernel/large_array.h"
-#include "sculpt/boundary.h"
-#include "sculpt/sculpt_paper.h"
-
 namespace tetsculpt::bench {
-namespace {
-
-/// Calls `work` and adds its time to the stage.
-template <class Work>
-auto timed(PaperRun& run, Stage stage, Work&& work) {
-  const std::clock_t start = std::clock();
-  auto result = work();
-  run.seconds[static_cast<std::size_t>(stage)] +=
-      static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  return result;
-}
-
-}  // namespace
 
 double PaperRun::total_seconds() const {
   return std::accumulate(seconds.begin(), seconds.end(), 0.0);
 }
 
 PaperRun run_paper(std::span<const Point3> input) {
-  const LargeArrayReuse reuse;
-  PaperRun run;
-  const DistinctPoints distinct =
-      timed(run, Stage::kDelaunay, [&] { return distinct_points(input); });
-  const std::span<const Point3> points = distinct.points;
-  const TetComplex complex = timed(run, Stage::kDelaunay, [&] { return delaunay(distinct); });
-  const Flags gabriel = timed(run, Stage::kEgh, [&] { return gabriel_edges(points, complex); });
-  Constraints constraints;
-  constraints.egh_triangles = timed(run, Stage::kEgh, [&] {
-    return extended_gabriel_hypergraph(points, complex, gabriel).triangles;
-  });
-  constraints.emst_edges = timed(run, Stage::kEmst, [&] {
-    Flags tree(complex.edge_count(), 0);
-    for (const EdgeId e : emst(complex, edges_by_length(points, complex, gabriel))) tree[+e] = 1;
-    return tree;
-  });
-  const Sculpture sculpture =
-      timed(run, Stage::kSculpt, [&] { return sculpt_paper(points, complex, constraints); });
-  run.triangles = timed(run, Stage::kSculpt, [&] {
-                    return boundary_triangles(complex, sculpture.solid);
-                  }).size();
-  run.points = points.size();
-  run.tetrahedra = complex.finite_tet_count();
-  run.removed = sculpture.removed.size();
-  run.holes = sculpture.holes.size();
-  run.hidden = sculpture.hidden.size();
-  run.work = sculpture.work;
-  return run;
+  const PaperStages stages = paper_stages(input);
+  return {.seconds = stages.seconds,
+          .points = stages.distinct.points.size(),
+          .tetrahedra = stages.complex.finite_tet_count(),
+          .triangles = stages.surface.size(),
+          .removed = stages.sculpture.removed.size(),
+          .holes = stages.sculpture.holes.size(),
+          .hidden = stages.sculpture.hidden.size(),
+          .work = stages.sculpture.work};
 }
 
 PaperRun typical(std::span<const PaperRun> runs) {

@@ -3,24 +3,17 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 
+#include "bench/paper_stages.h"
 #include "kernel/point.h"
 #include "sculpt/sculpture.h"
 
-/// One reconstruction by the paper's method, its stages timed apart.
+/// One reconstruction by the paper's method, in numbers.
 namespace tetsculpt::bench {
 
-enum class Stage { kDelaunay, kEgh, kEmst, kSculpt };
-inline constexpr std::array<std::string_view, 4> kStageNames{"Delaunay", "GG, EGH", "EMST",
-                                                             "sculpting"};
-
 struct PaperRun {
-  /// Processor seconds by Stage, which do not count what other programs take: distinct points and
-  /// their Delaunay complex; Gabriel graph and EGH; edges by length and EMST; sculpting, with the
-  /// list of the surface's triangles.
-  std::array<double, kStageNames.size()> seconds{};
-  std::size_t points = 0;  ///< distinct ones
+  std::array<double, kStageNames.size()> seconds{};  ///< see bench/paper_stages.h
+  std::size_t points = 0;                            ///< distinct ones
   std::size_t tetrahedra = 0;
   std::size_t triangles = 0;  ///< of the surface
   std::size_t removed = 0;
@@ -33,7 +26,6 @@ struct PaperRun {
   std::size_t genus() const { return (triangles + 4 - 2 * (points - hidden)) / 4; }
 };
 
-/// Does what reconstruct does for the paper's method, but for the list of the surface's points.
 /// Precondition: the points span a solid.
 PaperRun run_paper(std::span<const Point3> points);
 

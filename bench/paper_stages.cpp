@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <iterator>
 
 #include "kernel/delaunay.h"
 #include "kernel/edge_order.h"
 #include "kernel/emst.h"
+#include "kernel/large_array.h"
 #include "sculpt/boundary.h"
 
 namespace tetsculpt::bench {
@@ -20,6 +22,15 @@ bool in_egh(const PaperStages& stages, TetId t, const Exposure& e) {
     }
   }
   return false;
+}
+
+/// Does a stage's work and adds its time.
+template <class Work>
+void timed(PaperStages& stages, Stage stage, Work&& work) {
+  const std::clock_t start = std::clock();
+  work();
+  stages.seconds[static_cast<std::size_t>(stage)] +=
+      static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// Per vertex, its neighbours in the EGH with larger ids, ascending.
@@ -37,16 +48,28 @@ std::vector<std::vector<VertexId>> larger_neighbors(const PaperStages& stages) {
 }  // namespace
 
 PaperStages paper_stages(std::span<const Point3> points) {
+  const LargeArrayReuse reuse;
   PaperStages stages;
-  stages.distinct = distinct_points(points);
   const auto& sites = stages.distinct.points;
-  stages.complex = delaunay(stages.distinct);
-  stages.gabriel = gabriel_edges(sites, stages.complex);
-  stages.egh = extended_gabriel_hypergraph(sites, stages.complex, stages.gabriel);
-  stages.tree = emst(stages.complex, edges_by_length(sites, stages.complex, stages.gabriel));
-  Constraints constraints{stages.egh.triangles, Flags(stages.complex.edge_count(), 0)};
-  for (const EdgeId e : stages.tree) constraints.emst_edges[+e] = 1;
-  stages.sculpture = sculpt_paper(sites, stages.complex, constraints);
+  Constraints constraints;
+  timed(stages, Stage::kDelaunay, [&] {
+    stages.distinct = distinct_points(points);
+    stages.complex = delaunay(stages.distinct);
+  });
+  timed(stages, Stage::kEgh, [&] {
+    stages.gabriel = gabriel_edges(sites, stages.complex);
+    stages.egh = extended_gabriel_hypergraph(sites, stages.complex, stages.gabriel);
+  });
+  timed(stages, Stage::kEmst, [&] {
+    stages.tree = emst(stages.complex, edges_by_length(sites, stages.complex, stages.gabriel));
+    constraints.emst_edges.assign(stages.complex.edge_count(), 0);
+    for (const EdgeId e : stages.tree) constraints.emst_edges[+e] = 1;
+  });
+  constraints.egh_triangles = stages.egh.triangles;
+  timed(stages, Stage::kSculpt, [&] {
+    stages.sculpture = sculpt_paper(sites, stages.complex, constraints);
+    stages.surface = boundary_triangles(stages.complex, stages.sculpture.solid);
+  });
   return stages;
 }
 

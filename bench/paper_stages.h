@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -13,8 +14,13 @@
 #include "kernel/triangle_mesh.h"
 #include "sculpt/sculpt_paper.h"
 
-/// All that the paper's method computes from a set of points, kept for a look at it.
+/// All that the paper's method computes from a set of points, kept for a look at it, with the time
+/// of each stage.
 namespace tetsculpt::bench {
+
+enum class Stage { kDelaunay, kEgh, kEmst, kSculpt };
+inline constexpr std::array<std::string_view, 4> kStageNames{"Delaunay", "GG, EGH", "EMST",
+                                                             "sculpting"};
 
 struct PaperStages {
   DistinctPoints distinct;
@@ -23,9 +29,15 @@ struct PaperStages {
   Egh egh;                   ///< edges and triangles
   std::vector<EdgeId> tree;  ///< EMST
   Sculpture sculpture;
+  std::vector<std::array<VertexId, 3>> surface;  ///< the triangles that sculpting leaves
+  /// Processor seconds by Stage, which do not count what other programs take: distinct points and
+  /// their Delaunay complex; Gabriel graph and EGH; edges by length and EMST; sculpting, with the
+  /// list of the surface's triangles.
+  std::array<double, kStageNames.size()> seconds{};
 };
 
-/// Runs all stages. Precondition: the points span a solid.
+/// Does what reconstruct does for the paper's method, but for the list of the surface's points.
+/// Precondition: the points span a solid.
 PaperStages paper_stages(std::span<const Point3> points);
 
 /// A triangle over vertices as one of a mesh whose points are all the vertices.

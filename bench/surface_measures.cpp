@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "bench/paper_stages.h"
 #include "kernel/vec3.h"
 
 namespace tetsculpt::bench {
@@ -91,14 +90,13 @@ DistanceToTruth distance_to_truth(const TriangleMesh& mesh,
   return result;
 }
 
-std::size_t tree_edges_off(std::span<const Point3> points, const TriangleMesh& mesh) {
+std::size_t tree_edges_off(const PaperStages& stages, const TriangleMesh& mesh) {
   std::set<Edge> on;
   for (const auto& [a, b, c] : mesh.triangles) {
     on.insert(edge(mesh.points[a], mesh.points[b]));
     on.insert(edge(mesh.points[b], mesh.points[c]));
     on.insert(edge(mesh.points[c], mesh.points[a]));
   }
-  const PaperStages stages = paper_stages(points);
   return static_cast<std::size_t>(
       std::count_if(stages.tree.begin(), stages.tree.end(), [&](EdgeId e) {
         const auto [a, b] = stages.complex.vertices(e);

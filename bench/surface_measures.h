@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 
+#include "bench/paper_stages.h"
 #include "kernel/point.h"
 #include "kernel/triangle_mesh.h"
 
@@ -23,7 +23,7 @@ DistanceToTruth distance_to_truth(const TriangleMesh& mesh,
                                   const std::function<double(const Point3&)>& distance);
 
 /// How many edges of the points' Euclidean minimum spanning tree are no edge of the mesh. The
-/// mesh's points are a subset of `points`.
-std::size_t tree_edges_off(std::span<const Point3> points, const TriangleMesh& mesh);
+/// mesh's points are among the stages'.
+std::size_t tree_edges_off(const PaperStages& stages, const TriangleMesh& mesh);
 
 }  // namespace tetsculpt::bench

@@ -13,7 +13,8 @@
 //     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny);
 // the constant 24 below, for both, covers the roundings of the bound itself. Where Nw has the wrong
 // sign or none, the bound is infinite. For an infinite facet C is (0, 0, 0, 1), the value is
-// -(A x B).d / (|A| |B|) in units of 1 / reach, and 10 u reach (|dx| + |dy| + |dz|) is enough.
+// -(A x B).d / (|A| |B|) in units of 1 / reach; 10 u reach (|dx| + |dy| + |dz|) is enough, 12
+// taken.
 //
 // All coordinates are multiples of a unit g. Where the value does not decide, N.d is computed again
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
@@ -39,6 +40,7 @@ constexpr double kUnit = DBL_EPSILON / 2;
 constexpr std::size_t kExpectedPerSite = 16;
 /// Facets are appended in blocks, so that threads seldom wait for each other.
 constexpr std::size_t kBlock = 256;
+
 /// A power of two of about the size of the set.
 double reach_of(std::span<const Point3> sites) {
   double reach = 0;
@@ -65,8 +67,13 @@ Normal normal(const LiftedDifference& p, const LiftedDifference& q, const Lifted
           -(xy * r.w - xw * r.y + yw * r.x), xy * r.z + yz * r.x + zx * r.y};
 }
 
-double size_of(const LiftedDifference& d) {
-  return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
+/// The same where the third difference is that of the site at infinity.
+Normal half_space(const LiftedDifference& p, const LiftedDifference& q) {
+  return {p.z * q.y - p.y * q.z, p.x * q.z - p.z * q.x, p.y * q.x - p.x * q.y, 0};
+}
+
+double value(const Normal& n, const LiftedDifference& d) {
+  return n.x * d.x + n.y * d.y + n.z * d.z + n.w * d.w;
 }
 
 }  // namespace
@@ -99,12 +106,11 @@ bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
 void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c) {
   Facet& n = facets_[f];
   if (!c) {
-    const LiftedDifference& p = a->to;
-    const LiftedDifference& q = b->to;
+    const Normal m = half_space(a->to, b->to);
     const double scale = reach_ / (a->length * b->length);
-    n.nx = scale * (p.z * q.y - p.y * q.z);
-    n.ny = scale * (p.x * q.z - p.z * q.x);
-    n.nz = scale * (p.y * q.x - p.x * q.y);
+    n.nx = scale * m.x;
+    n.ny = scale * m.y;
+    n.nz = scale * m.z;
     n.error = {12 * kUnit, 1};
     return;
   }
@@ -137,10 +143,9 @@ bool Facets::decide(FacetIndex f, Site q) const {
   const LiftedDifference p = lifted_difference(sites_[c[1]], sites_[c[0]]);
   const LiftedDifference r = lifted_difference(sites_[c[2]], sites_[c[0]]);
   const LiftedDifference d = lifted_difference(sites_[q], sites_[c[0]]);
-  if (10 * kUnit * size_of(p) * size_of(r) * size_of(d) < exact_below_infinite_) {
-    const double value = (p.z * r.y - p.y * r.z) * d.x + (p.x * r.z - p.z * r.x) * d.y +
-                         (p.y * r.x - p.x * r.y) * d.z;
-    return value != 0 ? value > 0 : coplanar_visible(f, q);
+  if (10 * kUnit * l1_norm(p) * l1_norm(r) * l1_norm(d) < exact_below_infinite_) {
+    const double height = value(half_space(p, r), d);
+    return height != 0 ? height > 0 : coplanar_visible(f, q);
   }
   // The finite facet behind the hull triangle, with q in the place of its fourth corner.
   const Ridge behind = neighbors(f)[3];
@@ -158,14 +163,13 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
   const std::array<LiftedDifference, 4> d = {
       lifted_difference(sites_[c[1]], origin), lifted_difference(sites_[c[2]], origin),
       lifted_difference(sites_[c[3]], origin), lifted_difference(sites_[q], origin)};
-  const std::array<double, 4> size = {size_of(d[0]), size_of(d[1]), size_of(d[2]), size_of(d[3])};
+  const std::array<double, 4> size = {l1_norm(d[0]), l1_norm(d[1]), l1_norm(d[2]), l1_norm(d[3])};
   const double error =
       22 * kUnit * size[0] * size[1] * size[2] * ((size[0] + size[1] + size[2]) * size[3] + d[3].w);
   const bool exact = error < exact_below_;
   if (exact) {
-    const Normal n = normal(d[0], d[1], d[2]);
-    const double value = n.x * d[3].x + n.y * d[3].y + n.z * d[3].z + n.w * d[3].w;
-    if (value != 0) return value > 0;
+    const double height = value(normal(d[0], d[1], d[2]), d[3]);
+    if (height != 0) return height > 0;
   }
   const auto inside = exact ? perturbed_inside : in_perturbed_sphere;
   return inside(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);

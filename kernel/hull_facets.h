@@ -151,6 +151,11 @@ class Facets {
   LargeBlock<Facet> facets_;
 };
 
+/// |x| + |y| + |z|.
+inline double l1_norm(const LiftedDifference& d) {
+  return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
+}
+
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
   const double x = q.x - p.x;
   const double y = q.y - p.y;
@@ -166,10 +171,9 @@ inline Spoke spoke(const Point3& q, const Point3& p) {
 inline Facets::Height Facets::height(FacetIndex f, const Point3& q) const {
   const Facet& n = facets_[f];
   const LiftedDifference d = lifted_difference(q, sites_[n.links.corners[0]]);
-  const double along = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
   const double w = n.links.infinite() ? 0 : d.w;
   return {n.nx * d.x + n.ny * d.y + n.nz * d.z - w,
-          n.error.factor() * (n.error.extent() * (along * reach_) + w)};
+          n.error.factor() * (n.error.extent() * (l1_norm(d) * reach_) + w)};
 }
 
 }  // namespace tetsculpt::hull

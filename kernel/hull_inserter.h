@@ -62,7 +62,7 @@ class Inserter {
   /// memory than the store has: they are added to deferred().
   void insert(std::span<const Site> batch);
   const std::vector<Site>& deferred() const { return deferred_; }
-  /// Facets that died without a successor.
+  /// Facets that died without a successor, or were never used.
   const std::vector<FacetIndex>& free() const { return free_; }
 
  private:
@@ -85,7 +85,6 @@ class Inserter {
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
   void make_visible(FacetIndex f, Ridge through);
-  void look_ahead(Site apex, std::size_t k);
   void make_cone(Site apex);
   void reassign_conflicts();
 
