@@ -31,9 +31,9 @@ PointFile parse_ply_points(std::string_view content, const std::filesystem::path
   TextScanner in(content, path, kDialect);
   const PlyHeader header = parse_ply_header(in);
   const Precision precision = precision_of(header.vertices);
-  if (header.format == PlyFormat::kAscii) return {parse_ply_ascii_body(header, in), precision};
+  if (header.format == PlyFormat::kAscii) return {parse_ply_ascii_body(header, in), precision, {}};
   const std::size_t begin = body_begin(content, in.next_offset());
-  return {parse_ply_binary_body(header, content, begin, path), precision};
+  return {parse_ply_binary_body(header, content, begin, path), precision, {}};
 }
 
 }  // namespace tetsculpt

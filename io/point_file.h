@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "io/attribute.h"
 #include "io/precision.h"
 #include "kernel/point.h"
 
@@ -12,6 +13,8 @@ struct PointFile {
   std::vector<Point3> points;
   /// kSingle if the file's own type of x, y and z is a 32-bit float; text has kDouble.
   Precision precision = Precision::kDouble;
+  /// What the file says of each point besides its position, one value per point, in file order.
+  std::vector<Attribute> attributes;
 };
 
 }  // namespace tetsculpt

@@ -1,10 +1,5 @@
 #include "io/read_points.h"
 
-#include <algorithm>
-#include <array>
-#include <string>
-#include <string_view>
-
 #include "io/extension.h"
 #include "io/file_content.h"
 #include "io/io_error.h"
@@ -16,25 +11,37 @@
 namespace tetsculpt {
 namespace {
 
-bool is_text_extension(std::string_view extension) {
-  constexpr std::array<std::string_view, 5> kText = {".xyz", ".txt", ".csv", ".pts", ".asc"};
-  return std::ranges::find(kText, extension) != kText.end();
+PointFormat format_of(const std::filesystem::path& path, const ReadPointsOptions& options) {
+  if (options.format) return *options.format;
+  if (const std::optional<PointFormat> format = point_format_of(path)) return *format;
+  throw IoError(path, "unknown extension '" + lowercase_extension(path) +
+                          "' of a point file (known: " + point_format_extensions() + ")");
+}
+
+PointFile parse(std::string_view content, const std::filesystem::path& path, PointFormat format) {
+  switch (format) {
+    case PointFormat::kText:
+      return {parse_text_points(content, path), Precision::kDouble, {}};
+    case PointFormat::kObj:
+      return {parse_obj_points(content, path), Precision::kDouble, {}};
+    case PointFormat::kOff:
+      return {parse_off_points(content, path), Precision::kDouble, {}};
+    case PointFormat::kPly:
+      break;
+  }
+  return parse_ply_points(content, path);
 }
 
 }  // namespace
 
-PointFile read_points(const std::filesystem::path& path) {
-  const std::string extension = lowercase_extension(path);
-  const bool text = is_text_extension(extension);
-  if (!text && extension != ".ply" && extension != ".obj" && extension != ".off") {
-    throw IoError(path, "unknown extension '" + extension +
-                            "' of a point file (known: .xyz .txt .csv .pts .asc .ply .obj .off)");
-  }
-  const FileContent content = read_file(path);
-  if (text) return {parse_text_points(content.view(), path), Precision::kDouble};
-  if (extension == ".obj") return {parse_obj_points(content.view(), path), Precision::kDouble};
-  if (extension == ".off") return {parse_off_points(content.view(), path), Precision::kDouble};
-  return parse_ply_points(content.view(), path);
+PointFile read_points(const std::filesystem::path& path, const ReadPointsOptions& options) {
+  const PointFormat format = format_of(path, options);
+  return parse(read_file(path).view(), path, format);
+}
+
+PointFile parse_points(std::string_view content, const std::filesystem::path& path,
+                       const ReadPointsOptions& options) {
+  return parse(content, path, format_of(path, options));
 }
 
 }  // namespace tetsculpt

@@ -1,10 +1,5 @@
 #include "io/write_mesh.h"
 
-#include <algorithm>
-#include <array>
-#include <string>
-#include <string_view>
-
 #include "io/atomic_file.h"
 #include "io/extension.h"
 #include "io/io_error.h"
@@ -15,26 +10,43 @@
 #include "io/vrml_writer.h"
 
 namespace tetsculpt {
+namespace {
+
+MeshFormat format_of(const std::filesystem::path& path, const WriteMeshOptions& options) {
+  if (options.format) return *options.format;
+  if (const std::optional<MeshFormat> format = mesh_format_of(path)) return *format;
+  throw IoError(path, "unknown extension '" + lowercase_extension(path) +
+                          "' of a mesh file (known: " + mesh_format_extensions() + ")");
+}
+
+}  // namespace
 
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path,
                 const WriteMeshOptions& options) {
-  const std::string extension = lowercase_extension(path);
-  if (!writable_mesh_extension(path)) {
-    throw IoError(path, "unknown extension '" + extension +
-                            "' of a mesh file (known: .ply .obj .off .stl .wrl)");
-  }
+  const MeshFormat format = format_of(path, options);
   AtomicFile out(path);
-  if (extension == ".ply") write_ply(mesh, options.precision, out);
-  if (extension == ".obj") write_obj(mesh, out);
-  if (extension == ".off") write_off(mesh, out);
-  if (extension == ".stl") write_stl(mesh, path, out);
-  if (extension == ".wrl") write_vrml(mesh, out);
+  switch (format) {
+    case MeshFormat::kPly:
+      write_ply(mesh, options.precision, out);
+      break;
+    case MeshFormat::kObj:
+      write_obj(mesh, out);
+      break;
+    case MeshFormat::kOff:
+      write_off(mesh, out);
+      break;
+    case MeshFormat::kStl:
+      write_stl(mesh, path, out);
+      break;
+    case MeshFormat::kVrml:
+      write_vrml(mesh, out);
+      break;
+  }
   out.commit();
 }
 
 bool writable_mesh_extension(const std::filesystem::path& path) {
-  constexpr std::array<std::string_view, 5> kKnown = {".ply", ".obj", ".off", ".stl", ".wrl"};
-  return std::ranges::find(kKnown, lowercase_extension(path)) != kKnown.end();
+  return mesh_format_of(path).has_value();
 }
 
 }  // namespace tetsculpt

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tetsculpt {
+
+/// Formats of files that hold points.
+enum class PointFormat { kText, kPly, kObj, kOff };
+
+/// The format with this name: an extension without its dot, in lower case ("xyz", "ply").
+std::optional<PointFormat> point_format_named(std::string_view name);
+
+/// The format that the extension of `path` names, in either case.
+std::optional<PointFormat> point_format_of(const std::filesystem::path& path);
+
+/// All names, in a fixed order, with dots: ".xyz .txt ...".
+std::string point_format_extensions();
+
+}  // namespace tetsculpt
