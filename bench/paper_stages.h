@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/distinct_points.h"
-#include "kernel/gabriel.h"
+#include "kernel/egh.h"
 #include "kernel/ids.h"
 #include "kernel/tet_complex.h"
 #include "kernel/triangle_mesh.h"

@@ -8,6 +8,7 @@
 
 #include "bench/inputs.h"
 #include "kernel/delaunay.h"
+#include "kernel/egh.h"
 #include "kernel/emst.h"
 #include "kernel/gabriel.h"
 #include "sculpt/reconstruct.h"

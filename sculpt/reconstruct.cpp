@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/delaunay.h"
+#include "kernel/egh.h"
 #include "kernel/emst.h"
 #include "kernel/first_simplex.h"
 #include "kernel/gabriel.h"

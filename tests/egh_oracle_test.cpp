@@ -10,6 +10,7 @@
 
 #include "kernel/delaunay.h"
 #include "kernel/distinct_points.h"
+#include "kernel/egh.h"
 #include "kernel/gabriel.h"
 #include "tests/support/graph_oracles.h"
 #include "tests/support/point_sets.h"

@@ -7,6 +7,7 @@
 #include "kernel/delaunay.h"
 #include "kernel/distinct_points.h"
 #include "kernel/edge_order.h"
+#include "kernel/egh.h"
 #include "kernel/emst.h"
 #include "kernel/gabriel.h"
 #include "tests/support/graph_oracles.h"

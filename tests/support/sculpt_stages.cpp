@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/delaunay.h"
+#include "kernel/egh.h"
 #include "kernel/emst.h"
 #include "kernel/gabriel.h"
 #include "sculpt/boundary.h"
