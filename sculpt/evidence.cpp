@@ -44,8 +44,8 @@ Evidence::Poles told_apart(const PolePair& pair, const LabelGraph& graph,
 
 }  // namespace
 
-float Evidence::facet_cost(TriangleId t) const {
-  const float closeness = (1 + overlap[+t]) / 2;
+float Evidence::facet_cost(TriangleId t, float its_overlap) const {
+  const float closeness = (1 + its_overlap) / 2;
   return (kFacetWeight + closeness * closeness) * (egh_triangles[+t] ? kEghFactor : 1);
 }
 

@@ -21,7 +21,9 @@ struct Evidence {
   LargeArray<float> overlap;
   std::span<const std::uint8_t> egh_triangles;
   /// What it costs to have the surface at a triangle. Positive.
-  float facet_cost(TriangleId t) const;
+  float facet_cost(TriangleId t) const { return facet_cost(t, overlap[+t]); }
+  /// The same for who has its overlap at hand.
+  float facet_cost(TriangleId t, float its_overlap) const;
   /// Per vertex: which pole is believed inside, and which outside. Equal where nothing is known.
   struct Poles {
     TetId inside{};

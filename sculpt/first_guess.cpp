@@ -6,12 +6,13 @@
 #include "sculpt/first_guess.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <queue>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,41 +30,90 @@ struct Opposition {
   float strength;
 };
 
+/// Certainty in steps, of which the greatest is the most.
+using Step = std::uint32_t;
+constexpr Step kStepsPerOne = 1024;
+constexpr Step kSteps = 2 * kStepsPerOne + 1;
+
+/// Precondition: -1 <= certainty <= 1.
+Step step_of(float certainty) { return static_cast<Step>((certainty + 1) * kStepsPerOne); }
+
+/// A stack of nodes per step.
+class StepQueue {
+ public:
+  struct Entry {
+    Node node;
+    Step step;
+  };
+
+  void push(Entry entry) {
+    const auto at = static_cast<std::uint32_t>(links_.size());
+    links_.push_back({entry.node, top_[entry.step]});
+    top_[entry.step] = at + 1;
+    const std::size_t word = entry.step / 64;
+    filled_[word] |= std::uint64_t{1} << entry.step % 64;
+    highest_ = std::max(highest_, word);
+  }
+
+  /// The last one pushed of those with the greatest step, taken out.
+  std::optional<Entry> pop() {
+    while (filled_[highest_] == 0) {
+      if (highest_-- == 0) {
+        highest_ = 0;
+        return std::nullopt;
+      }
+    }
+    const auto bit = static_cast<std::size_t>(std::bit_width(filled_[highest_]) - 1);
+    const auto step = static_cast<Step>(64 * highest_ + bit);
+    const Link link = links_[top_[step] - 1];
+    top_[step] = link.below;
+    if (link.below == 0) filled_[highest_] ^= std::uint64_t{1} << bit;
+    return Entry{link.node, step};
+  }
+
+ private:
+  /// What lies below is counted from 1; 0 is the bottom.
+  struct Link {
+    Node node;
+    std::uint32_t below;
+  };
+  LargeArray<Link> links_;
+  std::array<std::uint32_t, kSteps> top_{};
+  std::array<std::uint64_t, kSteps / 64 + 1> filled_{};
+  std::size_t highest_ = 0;  ///< no word above has a bit
+};
+
 class Propagation {
  public:
-  Propagation(const LabelGraph& graph, std::span<const float> overlap,
-              std::span<const PolePair> pairs)
-      : graph_(graph),
-        overlap_(overlap),
-        side_(graph.node_count(), Side::kUnknown),
-        for_inside_(graph.node_count(), 0),
-        for_outside_(graph.node_count(), 0) {
+  Propagation(const LabelGraph& graph, std::span<const PolePair> pairs)
+      : graph_(graph), side_(graph.node_count(), Side::kUnknown), belief_(graph.node_count()) {
     list_oppositions(pairs);
   }
 
   LargeArray<Side> run() {
+    std::fill(belief_.begin(), belief_.end(), Belief{});
     side_[LabelGraph::kOutside] = Side::kOutside;
     spread(LabelGraph::kOutside);
-    while (!queue_.empty()) {
-      const Entry top = queue_.top();
-      queue_.pop();
-      const Node x = ~static_cast<Node>(top);
-      if (side_[x] != Side::kUnknown || top != entry(x)) continue;
-      side_[x] = for_inside_[x] > for_outside_[x] ? Side::kInside : Side::kOutside;
-      spread(x);
+    while (const std::optional<StepQueue::Entry> top = queue_.pop()) {
+      const Belief& belief = belief_[top->node];
+      if (side_[top->node] != Side::kUnknown || top->step != step_of(belief.certainty())) continue;
+      side_[top->node] = belief.inside > belief.outside ? Side::kInside : Side::kOutside;
+      spread(top->node);
     }
     return std::move(side_);
   }
 
  private:
-  /// The larger, the sooner: a node's certainty and, among equals, the lower node.
-  using Entry = std::uint64_t;
-  Entry entry(Node x) const {
-    const auto bits = std::bit_cast<std::uint32_t>(certainty(x) + 0.0f);  // no negative zero
-    // In the order of their values: the bits of a float, or of a negative one their complement.
-    const std::uint32_t ordered = bits >> 31 != 0 ? ~bits : bits | 0x80000000u;
-    return Entry{ordered} << 32 | static_cast<Node>(~x);
-  }
+  /// The strongest evidence for either side.
+  struct Belief {
+    float inside = 0;
+    float outside = 0;
+
+    float certainty() const {
+      return inside > 0 && outside > 0 ? std::fabs(inside - outside) - 1
+                                       : std::max(inside, outside);
+    }
+  };
 
   void list_oppositions(std::span<const PolePair> pairs) {
     first_.assign(graph_.node_count() + 1, 0);
@@ -85,47 +135,40 @@ class Propagation {
     });
   }
 
-  float certainty(Node x) const {
-    const float in = for_inside_[x];
-    const float out = for_outside_[x];
-    return in > 0 && out > 0 ? std::fabs(in - out) - 1 : std::max(in, out);
-  }
-
   void support(Node x, bool inside, float strength) {
-    if (side_[x] != Side::kUnknown) return;
-    float& evidence = inside ? for_inside_[x] : for_outside_[x];
+    Belief& belief = belief_[x];
+    float& evidence = inside ? belief.inside : belief.outside;
     if (strength <= evidence) return;
     evidence = strength;
-    queue_.push(entry(x));
+    queue_.push({x, step_of(belief.certainty())});
   }
 
   /// Tells a node's neighbours and opposite poles what its side means for them.
   void spread(Node x) {
     const bool inside = side_[x] == Side::kInside;
     for (std::uint32_t k = first_[x]; k < first_[x + 1]; ++k) {
-      support(oppositions_[k].other, !inside, oppositions_[k].strength);
+      const auto [other, strength] = oppositions_[k];
+      if (side_[other] == Side::kUnknown) support(other, !inside, strength);
     }
     for (const LabelGraph::Arc& arc : graph_.arcs_of(x)) {
-      const float cosine = overlap_[+arc.triangle];
+      if (side_[arc.head] != Side::kUnknown) continue;
+      const float cosine = arc.overlap;
       support(arc.head, inside == (cosine > 0), cosine > 0 ? cosine : -cosine * kWeakOpposition);
     }
   }
 
   const LabelGraph& graph_;
-  std::span<const float> overlap_;
   LargeArray<Side> side_;
-  LargeArray<float> for_inside_;
-  LargeArray<float> for_outside_;
-  std::priority_queue<Entry> queue_;
+  LargeArray<Belief> belief_;
+  StepQueue queue_;
   LargeArray<std::uint32_t> first_;  ///< per node, its first opposition
   LargeArray<Opposition> oppositions_;
 };
 
 }  // namespace
 
-LargeArray<Side> first_guess(const LabelGraph& graph, std::span<const float> overlap,
-                             std::span<const PolePair> pairs) {
-  return Propagation(graph, overlap, pairs).run();
+LargeArray<Side> first_guess(const LabelGraph& graph, std::span<const PolePair> pairs) {
+  return Propagation(graph, pairs).run();
 }
 
 }  // namespace tetsculpt

@@ -16,25 +16,28 @@ constexpr float kSameSide = 0.99f;
 /// One contradicted vertex in so many is not worth a second look.
 constexpr std::size_t kTolerated = 1024;
 
-/// Calls visit with each triangle and the tetrahedra on its two sides, of which the first is
-/// finite.
-template <class Visit>
-void for_each_triangle(const TetComplex& complex, Visit&& visit) {
+/// A facet that may lie between two nodes.
+struct Border {
+  TriangleId triangle;
+  TetId first;
+  TetId second;
+};
+
+/// Unites the tetrahedra on both sides of every triangle that joins, and lists the other triangles.
+/// The outside is the first member, before the finite tetrahedra.
+LargeArray<Border> join(const TetComplex& complex, std::span<const float> overlap,
+                        const Flags& alone, DisjointSets& sets) {
+  LargeArray<Border> borders;
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const Facet f = complex.facet(TriangleId{t});
-    visit(TriangleId{t}, f.tet, complex.neighbor(f.tet, f.corner));
+    const TetId second = complex.neighbor(f.tet, f.corner);
+    if (!(overlap[t] > kSameSide) || alone[+f.tet] || alone[+second]) {
+      borders.push_back({TriangleId{t}, f.tet, second});
+    } else {
+      sets.unite(1 + +f.tet, complex.finite(second) ? 1 + +second : 0);
+    }
   }
-}
-
-/// The outside as first member, before the finite tetrahedra.
-DisjointSets joined_tets(const TetComplex& complex, std::span<const float> overlap,
-                         const Flags& alone) {
-  DisjointSets sets(1 + complex.finite_tet_count());
-  for_each_triangle(complex, [&](TriangleId t, TetId first, TetId second) {
-    if (!(overlap[+t] > kSameSide) || alone[+first] || alone[+second]) return;
-    sets.unite(1 + +first, complex.finite(second) ? 1 + +second : 0);
-  });
-  return sets;
+  return borders;
 }
 
 /// A set's smallest member is its representative, so the node of an earlier one is known.
@@ -55,14 +58,14 @@ void number_nodes(const TetComplex& complex, DisjointSets& sets, LabelGraph& gra
   }
 }
 
-/// Calls visit with each triangle between two nodes, and with these.
+/// Calls visit with each border that does lie between two nodes, and with these.
 template <class Visit>
-void for_each_border(const TetComplex& complex, const LabelGraph& graph, Visit&& visit) {
-  for_each_triangle(complex, [&](TriangleId t, TetId first, TetId second) {
-    const LabelGraph::Node a = graph.node_of_tet[+first];
-    const LabelGraph::Node b = graph.node_of_tet[+second];
-    if (a != b) visit(t, a, b);
-  });
+void for_each_border(std::span<const Border> borders, const LabelGraph& graph, Visit&& visit) {
+  for (const Border& border : borders) {
+    const LabelGraph::Node a = graph.node_of_tet[+border.first];
+    const LabelGraph::Node b = graph.node_of_tet[+border.second];
+    if (a != b) visit(border.triangle, a, b);
+  }
 }
 
 }  // namespace
@@ -70,23 +73,22 @@ void for_each_border(const TetComplex& complex, const LabelGraph& graph, Visit&&
 LabelGraph label_graph(const TetComplex& complex, std::span<const float> overlap,
                        const Flags& alone) {
   LabelGraph graph;
-  {
-    DisjointSets sets = joined_tets(complex, overlap, alone);
-    number_nodes(complex, sets, graph);
-  }
+  DisjointSets sets(1 + complex.finite_tet_count());
+  const LargeArray<Border> borders = join(complex, overlap, alone, sets);
+  number_nodes(complex, sets, graph);
   graph.first.assign(graph.node_count() + 1, 0);
-  for_each_border(complex, graph, [&](TriangleId, LabelGraph::Node a, LabelGraph::Node b) {
+  for_each_border(borders, graph, [&](TriangleId, LabelGraph::Node a, LabelGraph::Node b) {
     ++graph.first[a + 1];
     ++graph.first[b + 1];
   });
   std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
   graph.arcs.resize(graph.first.back());
   LargeArray<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
-  for_each_border(complex, graph, [&](TriangleId t, LabelGraph::Node a, LabelGraph::Node b) {
+  for_each_border(borders, graph, [&](TriangleId t, LabelGraph::Node a, LabelGraph::Node b) {
     const std::uint32_t there = next[a]++;
     const std::uint32_t back = next[b]++;
-    graph.arcs[there] = {b, back, t};
-    graph.arcs[back] = {a, there, t};
+    graph.arcs[there] = {b, back, t, overlap[+t]};
+    graph.arcs[back] = {a, there, t, overlap[+t]};
   });
   return graph;
 }

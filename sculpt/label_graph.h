@@ -22,6 +22,7 @@ struct LabelGraph {
     Node head;
     std::uint32_t mate;  ///< the same facet from its other side
     TriangleId triangle;
+    float overlap;  ///< of the triangle, here once more: it is read wherever arcs are followed
   };
 
   LargeArray<Node> node_of_tet;

@@ -41,7 +41,8 @@ LargeArray<MinCut::Capacity> capacities(const LabelGraph& graph, const Evidence&
   LargeArray<MinCut::Capacity> capacity(graph.arcs.size());
   for (std::size_t a = 0; a < capacity.size(); ++a) {
     const LabelGraph::Arc& arc = graph.arcs[a];
-    capacity[a] = arc.mate < a ? capacity[arc.mate] : units(evidence.facet_cost(arc.triangle));
+    capacity[a] =
+        arc.mate < a ? capacity[arc.mate] : units(evidence.facet_cost(arc.triangle, arc.overlap));
   }
   return capacity;
 }

@@ -53,7 +53,7 @@ Knowledge gather(std::span<const Point3> points, const TetComplex& complex,
   known.graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
   known.alone = contradicted_tets(complex, known.graph, pairs);
   if (any(known.alone)) known.graph = label_graph(complex, overlap, known.alone);
-  const LargeArray<Side> guess = first_guess(known.graph, overlap, pairs);
+  const LargeArray<Side> guess = first_guess(known.graph, pairs);
   progress(0.5);
   known.evidence = weigh_evidence(points, complex, spheres, pairs, known.graph, guess,
                                   std::move(overlap), egh_triangles);

@@ -41,7 +41,7 @@ struct Scene {
     LargeArray<float> overlap = overlaps(s.complex, spheres);
     const Flags alone(s.complex.tet_count(), 0);
     const LabelGraph graph = label_graph(s.complex, overlap, alone);
-    const LargeArray<Side> guess = first_guess(graph, overlap, pairs);
+    const LargeArray<Side> guess = first_guess(graph, pairs);
     evidence = weigh_evidence(s.points(), s.complex, spheres, pairs, graph, guess,
                               std::move(overlap), s.constraints.egh_triangles);
     const StarFaults faults = cut_labels(s.complex, graph, evidence).faults;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tests/support/point_sets.h"
@@ -83,7 +84,8 @@ void check_nodes(const TetComplex& complex, const LabelGraph& graph,
   for (std::size_t x = 0; x < size.size(); ++x) REQUIRE(graph.tets_in[x] == size[x]);
 }
 
-void check_arcs(const TetComplex& complex, const LabelGraph& graph) {
+void check_arcs(const TetComplex& complex, std::span<const float> overlap,
+                const LabelGraph& graph) {
   std::size_t between = 0;
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const Facet f = complex.facet(TriangleId{t});
@@ -98,6 +100,7 @@ void check_arcs(const TetComplex& complex, const LabelGraph& graph) {
       REQUIRE(graph.arcs[arc.mate].mate == a);
       REQUIRE(graph.arcs[arc.mate].head == x);
       REQUIRE(+graph.arcs[arc.mate].triangle == +arc.triangle);
+      REQUIRE(arc.overlap == overlap[+arc.triangle]);
       const Facet f = complex.facet(arc.triangle);
       const auto one = graph.node_of_tet[+f.tet];
       const auto two = graph.node_of_tet[+complex.neighbor(f.tet, f.corner)];
@@ -114,7 +117,7 @@ TEST_CASE("random overlaps, some tetrahedra alone") {
       const Input input = random_input(s.complex, seed);
       const LabelGraph graph = label_graph(s.complex, input.overlap, input.alone);
       check_nodes(s.complex, graph, flooded(s.complex, input));
-      check_arcs(s.complex, graph);
+      check_arcs(s.complex, input.overlap, graph);
     }
   }
 }
