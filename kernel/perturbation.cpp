@@ -6,25 +6,41 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "kernel/predicates.h"
 
 namespace tetsculpt {
 namespace {
 
-/// A point whose eps may decide, and its place among the arguments.
-struct Ranked {
-  const Point3* point;
-  int argument;
-};
-
-/// Puts the dominant eps, that of the lexicographically greatest point, first.
+/// Hands out the places of some points among the arguments, that of the dominant eps, the
+/// lexicographically greatest point's, first. Mostly the first decides, and a sort would be waste.
 template <std::size_t N>
-void sort_by_rank(std::array<Ranked, N>& points) {
-  std::sort(points.begin(), points.end(), [](const Ranked& p, const Ranked& q) {
-    return lexicographically_less(*q.point, *p.point);
-  });
-}
+class Dominance {
+ public:
+  explicit Dominance(const std::array<const Point3*, N>& points) : points_(points) {
+    for (std::size_t i = 0; i < N; ++i) x_[i] = points[i]->x;
+  }
+
+  /// Precondition: called at most N times.
+  std::size_t next() {
+    double greatest = x_[0];
+    for (std::size_t i = 1; i < N; ++i) greatest = std::max(greatest, x_[i]);
+    std::size_t best = N;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (x_[i] == greatest && (best == N || lexicographically_less(*points_[best], *points_[i]))) {
+        best = i;
+      }
+    }
+    x_[best] = -HUGE_VAL;
+    return best;
+  }
+
+ private:
+  std::array<const Point3*, N> points_;
+  std::array<double, N> x_;  ///< less than all coordinates once it has been handed out
+};
 
 }  // namespace
 
@@ -39,9 +55,7 @@ bool in_perturbed_sphere(const Point3& a, const Point3& b, const Point3& c, cons
 // so the loop ends at e at the latest.
 bool perturbed_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                       const Point3& e) {
-  std::array<Ranked, 5> points{{{&a, 0}, {&b, 1}, {&c, 2}, {&d, 3}, {&e, 4}}};
-  sort_by_rank(points);
-  const auto coefficient = [&](int argument) {
+  const auto coefficient = [&](std::size_t argument) {
     switch (argument) {
       case 0:
         return -orient3d(b, c, d, e);
@@ -55,11 +69,10 @@ bool perturbed_inside(const Point3& a, const Point3& b, const Point3& c, const P
         return Sign::kNegative;
     }
   };
-  for (const Ranked& r : points) {
-    const Sign s = coefficient(r.argument);
-    if (s != Sign::kZero) return s == Sign::kPositive;
-  }
-  return false;
+  Dominance<5> order({&a, &b, &c, &d, &e});
+  Sign s = Sign::kZero;
+  while (s == Sign::kZero) s = coefficient(order.next());
+  return s == Sign::kPositive;
 }
 
 bool in_perturbed_diametral_sphere(const Point3& a, const Point3& b, const Point3& p) {
@@ -72,16 +85,15 @@ bool in_perturbed_equatorial_sphere(const Point3& a, const Point3& b, const Poin
                                     const Point3& p) {
   const Sign side = in_equatorial_sphere(a, b, c, p);
   if (side != Sign::kZero) return side == Sign::kPositive;
-  std::array<Ranked, 4> points{{{&a, 0}, {&b, 1}, {&c, 2}, {&p, 3}}};
-  sort_by_rank(points);
-  for (const Ranked& r : points) {
-    if (r.argument == 3) return false;
-    const Sign lambda = r.argument == 0   ? barycentric_sign(a, b, c, p)
-                        : r.argument == 1 ? barycentric_sign(b, c, a, p)
-                                          : barycentric_sign(c, a, b, p);
+  Dominance<4> order({&a, &b, &c, &p});
+  for (;;) {
+    const std::size_t argument = order.next();
+    if (argument == 3) return false;
+    const Sign lambda = argument == 0   ? barycentric_sign(a, b, c, p)
+                        : argument == 1 ? barycentric_sign(b, c, a, p)
+                                        : barycentric_sign(c, a, b, p);
     if (lambda != Sign::kZero) return lambda == Sign::kPositive;
   }
-  return false;
 }
 
 }  // namespace tetsculpt
