@@ -49,7 +49,8 @@ auto with_type(NumberType type, Function function) {
 }
 
 inline std::size_t byte_size(NumberType type) {
-  return with_type(type, []<typename Number>(std::type_identity<Number>) { return sizeof(Number); });
+  return with_type(type,
+                   []<typename Number>(std::type_identity<Number>) { return sizeof(Number); });
 }
 
 }  // namespace tetsculpt
