@@ -21,11 +21,11 @@ PointFormat format_of(const std::filesystem::path& path, const ReadPointsOptions
 PointFile parse(std::string_view content, const std::filesystem::path& path, PointFormat format) {
   switch (format) {
     case PointFormat::kText:
-      return {parse_text_points(content, path), Precision::kDouble, {}};
+      return parse_text_points(content, path);
     case PointFormat::kObj:
-      return {parse_obj_points(content, path), Precision::kDouble, {}};
+      return parse_obj_points(content, path);
     case PointFormat::kOff:
-      return {parse_off_points(content, path), Precision::kDouble, {}};
+      return parse_off_points(content, path);
     case PointFormat::kPly:
       break;
   }
