@@ -26,7 +26,7 @@ PointFormat format_of(std::string_view content, const std::filesystem::path& pat
   if (const auto format = apparent_format(content)) return *format;
   const std::string extension = lowercase_extension(path);
   throw IoError(path, "not a known kind of point file" +
-                          (extension.empty() ? "" : ", nor is the extension '" + extension + "'") +
+                          (extension.size() < 2 ? "" : ", nor is the extension '" + extension + "'") +
                           " (known: " + point_format_extensions() + ")");
 }
 
