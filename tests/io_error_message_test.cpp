@@ -59,8 +59,9 @@ TEST_CASE("files that cannot be read at all") {
     CAPTURE(name);
     const std::filesystem::path path = dir.file(name, "{ \"vertices\": [] }\n");
     CHECK(message_of_reading(path) ==
-          path.string() + ": not a known kind of point file (known: .xyz .txt .csv .pts .asc .ply "
-                          ".obj .off .stl .pcd .las .vtk)");
+          path.string() +
+              ": not a known kind of point file (known: .xyz .txt .csv .pts .asc .ply "
+              ".obj .off .stl .pcd .las .vtk)");
   }
   const std::filesystem::path other = dir.file("points.Json", "{}\n");
   CHECK(message_of_reading(other).find("nor is the extension '.json'") != std::string::npos);
