@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "io/attribute_values.h"
+
 namespace tetsculpt {
 namespace {
 
@@ -23,15 +25,18 @@ double coordinate(TextScanner& in, PlyType type) {
   return in.number<double>();
 }
 
-Point3 vertex(TextScanner& in, const std::vector<PlyProperty>& properties) {
+Point3 vertex(TextScanner& in, const std::vector<PlyProperty>& properties,
+              std::vector<Attribute>& attributes) {
   std::array<double, 3> xyz{};
+  auto attribute = attributes.begin();
   for (const PlyProperty& property : properties) {
-    if (property.role != PlyRole::kOther) {
+    if (property.list_length) {
+      for (std::uint64_t left = in.count(); left > 0; --left) skip_value(in);
+    } else if (property.role != PlyRole::kOther) {
       xyz[static_cast<std::size_t>(property.role)] = coordinate(in, property.type);
-      continue;
-    }
-    for (std::uint64_t left = property.list_length ? in.count() : 1; left > 0; --left) {
-      skip_value(in);
+    } else {
+      append_number(attribute->values, in);
+      ++attribute;
     }
   }
   if (!in.at_line_end()) in.fail("the line has more values than the header says");
@@ -40,20 +45,25 @@ Point3 vertex(TextScanner& in, const std::vector<PlyProperty>& properties) {
 
 }  // namespace
 
-std::vector<Point3> parse_ply_ascii_body(const PlyHeader& header, TextScanner& in) {
+PointFile parse_ply_ascii_body(const PlyHeader& header, TextScanner& in) {
   for (const PlyElement& element : header.before_vertices) {
     if (element.properties.empty()) continue;  // no values, no line
     for (std::uint64_t i = 0; i < element.count; ++i) next_element(in, element, i);
   }
-  constexpr std::size_t kShortestLine = 6;  // "0 0 0" and its end
-  std::vector<Point3> points;
-  points.reserve(
-      std::min<std::uint64_t>(header.vertices.count, in.bytes_left() / kShortestLine + 1));
-  while (points.size() < header.vertices.count) {
-    next_element(in, header.vertices, points.size());
-    points.push_back(vertex(in, header.vertices.properties));
+  const PlyElement& vertices = header.vertices;
+  const auto room = static_cast<std::size_t>(std::min<std::uint64_t>(
+      vertices.count, in.bytes_left() / (2 * vertices.properties.size()) + 1));
+  PointFile file;
+  file.points.reserve(room);
+  for (const PlyProperty& property : vertices.properties) {
+    if (property.role != PlyRole::kOther || property.list_length) continue;
+    file.attributes.push_back({property.name, empty_values(property.type, room)});
   }
-  return points;
+  while (file.points.size() < vertices.count) {
+    next_element(in, vertices, file.points.size());
+    file.points.push_back(vertex(in, vertices.properties, file.attributes));
+  }
+  return file;
 }
 
 }  // namespace tetsculpt

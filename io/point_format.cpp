@@ -8,15 +8,19 @@
 namespace tetsculpt {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PointFormat>, 8> kFormats = {{
+constexpr std::array<std::pair<std::string_view, PointFormat>, 12> kFormats = {{
     {"xyz", PointFormat::kText},
     {"txt", PointFormat::kText},
     {"csv", PointFormat::kText},
-    {"pts", PointFormat::kText},
+    {"pts", PointFormat::kPts},
     {"asc", PointFormat::kText},
     {"ply", PointFormat::kPly},
     {"obj", PointFormat::kObj},
     {"off", PointFormat::kOff},
+    {"stl", PointFormat::kStl},
+    {"pcd", PointFormat::kPcd},
+    {"las", PointFormat::kLas},
+    {"vtk", PointFormat::kVtk},
 }};
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace tetsculpt {
 
-/// Formats of files that hold points.
-enum class PointFormat { kText, kPly, kObj, kOff };
+/// Formats of files that hold points. kPts is text with columns of its own.
+enum class PointFormat { kText, kPts, kPly, kObj, kOff, kStl, kPcd, kLas, kVtk };
 
 /// The format with this name: an extension without its dot, in lower case ("xyz", "ply").
 std::optional<PointFormat> point_format_named(std::string_view name);

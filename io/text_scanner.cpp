@@ -1,6 +1,7 @@
 #include "io/text_scanner.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <string>
 #include <system_error>
@@ -26,7 +27,12 @@ TextScanner::TextScanner(std::string_view text, const std::filesystem::path& pat
     : text_(text), path_(path), dialect_(dialect) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text_.starts_with(kByteOrderMark)) next_ = line_feed_ = kByteOrderMark.size();
-  for (const char c : dialect.separators) separators_[static_cast<unsigned char>(c)] = true;
+  for (const char c : dialect.separators) {
+    kinds_[static_cast<unsigned char>(c)] = Kind::kSeparator;
+  }
+  for (const char c : dialect.delimiters) {
+    kinds_[static_cast<unsigned char>(c)] = Kind::kDelimiter;
+  }
 }
 
 bool TextScanner::next_line() {
@@ -51,9 +57,18 @@ bool TextScanner::next_content_line() {
   return false;
 }
 
+std::string_view TextScanner::take_bytes(std::size_t size) {
+  assert(size <= bytes_left());
+  const std::string_view bytes = text_.substr(next_, size);
+  next_ += size;
+  rest_ = text_.substr(next_, 0);
+  behind_bytes_ = true;
+  return bytes;
+}
+
 void TextScanner::skip_separators() {
   std::size_t i = 0;
-  while (i < rest_.size() && is_separator(rest_[i])) ++i;
+  while (i < rest_.size() && kind(rest_[i]) == Kind::kSeparator) ++i;
   rest_.remove_prefix(i);
 }
 
@@ -64,46 +79,63 @@ bool TextScanner::at_line_end() {
          });
 }
 
+bool TextScanner::at_delimiter() {
+  skip_separators();
+  return !rest_.empty() && kind(rest_.front()) == Kind::kDelimiter;
+}
+
 bool TextScanner::at_number() {
   skip_separators();
   const auto parsed = parse_number<double>(rest_);
   const char* const end = rest_.data() + rest_.size();
   return parsed.fault != NumberFault::kNotANumber &&
-         (parsed.end == end || is_separator(*parsed.end));
+         (parsed.end == end || kind(*parsed.end) != Kind::kOfToken);
 }
 
 std::string_view TextScanner::token() {
   skip_separators();
   std::size_t i = 0;
-  while (i < rest_.size() && !is_separator(rest_[i])) ++i;
+  if (!dialect_.delimiters.empty() && rest_.starts_with('"')) {
+    i = std::min(rest_.find('"', 1), rest_.size());
+  }
+  while (i < rest_.size() && kind(rest_[i]) == Kind::kOfToken) ++i;
   const std::string_view token = rest_.substr(0, i);
   rest_.remove_prefix(i);
   return token;
 }
 
 template <typename Float>
-Float TextScanner::number() {
+std::optional<Float> TextScanner::number_or_nothing() {
   skip_separators();
   const auto parsed = parse_number<Float>(rest_);
   const char* const end = rest_.data() + rest_.size();
   if (parsed.fault == NumberFault::kNotANumber ||
-      (parsed.end != end && !is_separator(*parsed.end))) {
-    fail_at_token("expected a number, found ");
+      (parsed.end != end && kind(*parsed.end) == Kind::kOfToken)) {
+    return std::nullopt;
   }
   if (parsed.fault == NumberFault::kTooLarge) fail_at_token("number out of range: ");
   rest_.remove_prefix(static_cast<std::size_t>(parsed.end - rest_.data()));
   return parsed.value;
 }
 
+template <typename Float>
+Float TextScanner::number() {
+  const std::optional<Float> value = number_or_nothing<Float>();
+  if (!value) fail_at_token("expected a number, found ");
+  return *value;
+}
+
 template float TextScanner::number<float>();
 template double TextScanner::number<double>();
+
+std::optional<double> TextScanner::number_if_any() { return number_or_nothing<double>(); }
 
 std::uint64_t TextScanner::count() {
   skip_separators();
   const char* const end = rest_.data() + rest_.size();
   std::uint64_t value = 0;
   const auto [after, error] = std::from_chars(rest_.data(), end, value);
-  if (error != std::errc() || (after != end && !is_separator(*after))) {
+  if (error != std::errc() || (after != end && kind(*after) == Kind::kOfToken)) {
     fail_at_token("expected a count, found ");
   }
   rest_.remove_prefix(static_cast<std::size_t>(after - rest_.data()));
@@ -117,6 +149,12 @@ Point3 TextScanner::point() {
   return {x, y, z};
 }
 
+std::string_view TextScanner::next_cell() {
+  const std::string_view before = rest_;
+  if (at_delimiter()) rest_.remove_prefix(1);
+  return before.substr(0, before.size() - rest_.size());
+}
+
 bool TextScanner::accept(std::string_view word) {
   skip_separators();
   if (!rest_.starts_with(word)) return false;
@@ -125,12 +163,17 @@ bool TextScanner::accept(std::string_view word) {
 }
 
 void TextScanner::fail(std::string_view reason) const {
+  if (behind_bytes_) {
+    const auto at = static_cast<std::uint64_t>(rest_.data() - text_.data());
+    throw IoError(path_, ByteOffset{at}, reason);
+  }
   throw IoError(path_, LineNumber{std::max<std::uint64_t>(line_number_, 1)}, reason);
 }
 
 void TextScanner::fail_at_token(std::string_view reason) {
   if (at_line_end()) fail(std::string(reason) + "the end of the line");
-  fail(std::string(reason) + quoted(token()));
+  const std::string_view found = token();
+  fail(std::string(reason) + (found.empty() ? "an empty cell" : quoted(found)));
 }
 
 }  // namespace tetsculpt

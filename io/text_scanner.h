@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "kernel/point.h"
@@ -12,6 +13,7 @@ namespace tetsculpt {
 
 struct TextDialect {
   std::string_view separators = " \t";                   ///< between tokens, in any number
+  std::string_view delimiters = "";                      ///< the same, one at a time: next_cell()
   std::array<std::string_view, 2> comments = {"#", ""};  ///< their starts; "" is none
 };
 
@@ -30,35 +32,51 @@ class TextScanner {
   std::size_t next_offset() const { return next_; }
   std::size_t bytes_left() const { return text_.size() - next_; }
 
+  /// The `size` bytes behind the line, which have to be there; the cursor is then behind them, and
+  /// faults have a byte for a place, not a line.
+  std::string_view take_bytes(std::size_t size);
+
   /// Nothing but separators, or a comment, is left of the line.
   bool at_line_end();
+  bool at_delimiter();
   /// The next token is a number of the kind that number() takes.
   bool at_number();
 
   /// Each takes one token off the line.
-  std::string_view token();  ///< empty at the end of the line
+  /// Empty at the end of the line and at a delimiter. Where there are delimiters, "quoted, text" is
+  /// one token.
+  std::string_view token();
   template <typename Float>
-  Float number();         ///< float or double; throws if there is none or it is too large
-  std::uint64_t count();  ///< decimal digits only; throws on anything else
-  Point3 point();         ///< three numbers
+  Float number();  ///< float or double; throws if there is none or it is too large
+  std::optional<double> number_if_any();  ///< stays if there is none; throws if it is too large
+  std::uint64_t count();                  ///< decimal digits only; throws on anything else
+  Point3 point();                         ///< three numbers
+  /// Goes over separators and at most one delimiter; what it went over.
+  std::string_view next_cell();
   /// Takes `word` off the line if the line goes on with it.
   bool accept(std::string_view word);
 
+  std::string_view rest_of_line() const { return rest_; }
   std::uint64_t line_number() const { return line_number_; }
   [[noreturn]] void fail(std::string_view reason) const;
 
  private:
-  bool is_separator(char c) const { return separators_[static_cast<unsigned char>(c)]; }
+  enum class Kind : std::uint8_t { kOfToken, kSeparator, kDelimiter };
+
+  Kind kind(char c) const { return kinds_[static_cast<unsigned char>(c)]; }
   void skip_separators();
+  template <typename Float>
+  std::optional<Float> number_or_nothing();
   [[noreturn]] void fail_at_token(std::string_view reason);
 
   std::string_view text_;
   const std::filesystem::path& path_;
   const TextDialect& dialect_;
-  std::array<bool, 256> separators_{};
+  std::array<Kind, 256> kinds_{};
   std::size_t next_ = 0;       // begin of the next line
   std::size_t line_feed_ = 0;  // first LF at or after next_, once it has been looked for
   std::uint64_t line_number_ = 0;
+  bool behind_bytes_ = false;
   std::string_view rest_;  // of the line
 };
 

@@ -63,8 +63,8 @@ TEST_CASE("off: header") {
   CHECK(refusal("a.off", "") == "1: " + no_off);
   CHECK(refusal("a.off", "\n# x\n3 1 0\n") == "3: " + no_off);
   CHECK(refusal("a.off", "4OFF\n0 0 0\n") == "1: " + no_off);
-  CHECK(refusal("a.off", "ply\n") == "1: " + no_off);
-  CHECK(refusal("a.off", "OFF BINARY\n") == "1: expected a count, found 'BINARY'");
+  CHECK(refusal("a.off", "solid\n") == "1: " + no_off);
+  CHECK(refusal("a.off", "OFF BINARY\n") == "1: binary OFF files are not read");
   CHECK(refusal("a.off", "OFF\n# no more\n") == "2: the file ends before its counts");
   CHECK(refusal("a.off", "OFF\n-3 1 0\n") == "2: expected a count, found '-3'");
   CHECK(refusal("a.off", "OFF\n3 -1 0\n") == "2: expected a count, found '-1'");

@@ -55,11 +55,16 @@ TEST_CASE("files that cannot be read at all") {
   std::filesystem::create_directory(directory);
   CHECK(message_of_reading(directory) == directory.string() + ": is a directory");
 
-  for (const char* name : {"points.stl", "points", "points.", ".ply", "points.xyz.gz"}) {
+  for (const char* name : {"points", "points.", ".ply"}) {
     CAPTURE(name);
-    const std::string message = message_of_reading(dir.file(name, "0 0 0\n"));
-    CHECK(message.find("unknown extension") != std::string::npos);
+    const std::filesystem::path path = dir.file(name, "{ \"vertices\": [] }\n");
+    CHECK(message_of_reading(path) ==
+          path.string() +
+              ": not a known kind of point file (known: .xyz .txt .csv .pts .asc .ply "
+              ".obj .off .stl .pcd .las .vtk)");
   }
+  const std::filesystem::path other = dir.file("points.Json", "{}\n");
+  CHECK(message_of_reading(other).find("nor is the extension '.json'") != std::string::npos);
 }
 
 TEST_CASE("an unknown extension is refused before anything is written") {

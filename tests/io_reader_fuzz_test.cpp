@@ -104,7 +104,11 @@ bool survives(const std::string& file, Parse parse) {
 }
 
 TEST_CASE("text") {
-  CHECK(survives("x,y,z\n2\n0.1,-2e5,3;\r\n# c\n 4\t5 nan 7\n", parse_text_points));
+  const auto parse = [](std::string_view text, const std::filesystem::path& path) {
+    return parse_text_points(text, path);
+  };
+  CHECK(survives("x,y,z\n2\n0.1,-2e5,3;\r\n# c\n 4\t5 nan 7\n", parse));
+  CHECK(survives("//b;g;r;z;y;x\n2\n0;1;2;3;4;5\n0;;200;3;4;5\n", parse));
 }
 
 TEST_CASE("obj") { CHECK(survives("# c\nv 0 1.5 -2\nvn 0 0 1\nv 1 2 3 4\n", parse_obj_points)); }
