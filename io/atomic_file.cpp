@@ -50,8 +50,12 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target), final_(target)
   std::setvbuf(file_, nullptr, _IONBF, 0);
 }
 
+AtomicFile::AtomicFile(StandardOutput) : target_("standard output"), file_(stdout) {
+  block_.reserve(kBlockSize);
+}
+
 AtomicFile::~AtomicFile() {
-  if (file_ != nullptr) std::fclose(file_);
+  if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
@@ -90,7 +94,8 @@ void AtomicFile::write_through(std::string_view bytes) {
 void AtomicFile::commit() {
   assert(file_ != nullptr);
   write_through(block_);
-  if (std::fclose(std::exchange(file_, nullptr)) != 0) fail("cannot write", errno);
+  std::FILE* const file = std::exchange(file_, nullptr);
+  if ((file == stdout ? std::fflush(file) : std::fclose(file)) != 0) fail("cannot write", errno);
   if (temporary_.empty()) return;
   std::error_code error;
   if (const fs::file_status old = fs::status(final_, error); fs::is_regular_file(old)) {

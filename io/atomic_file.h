@@ -7,19 +7,26 @@
 
 namespace tetsculpt {
 
+/// Standard output as the target of an AtomicFile.
+struct StandardOutput {};
+
 /// A file that appears whole or not at all. What is written goes to a temporary file in the same
 /// directory; commit() renames it over the target. Without commit() the target stays as it was
 /// and the temporary file is removed.
 ///   (1) A symbolic link stays; the file it points to is replaced, and keeps its permissions.
-///   (2) A target that exists and is no regular file (a pipe, a device) is written directly.
+///   (2) A target that exists and is no regular file (a pipe, a device) is written directly, as
+///       standard output is, which stays open: what a failure leaves there is cut off.
 /// Throws IoError with the path of the target and the reason the system gives.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& target);
+  explicit AtomicFile(StandardOutput);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  /// The target as errors name it.
+  const std::filesystem::path& name() const { return target_; }
   void write(std::string_view bytes);
   /// The last call: nothing can be written after it.
   void commit();

@@ -38,12 +38,17 @@ Number load_number(const char* from, std::endian order) {
   return order == std::endian::native ? value : reversed_bytes(value);
 }
 
-/// Puts the bytes of `value` at `to`, lowest first; returns the end of what it wrote.
+/// Puts the bytes of `value` at `to` in `order`; returns the end of what it wrote.
 template <typename Number>
-char* store_little_endian(char* to, Number value) {
-  if constexpr (std::endian::native != std::endian::little) value = reversed_bytes(value);
+char* store_number(char* to, Number value, std::endian order) {
+  if (order != std::endian::native) value = reversed_bytes(value);
   std::memcpy(to, &value, sizeof value);
   return to + sizeof value;
+}
+
+template <typename Number>
+char* store_little_endian(char* to, Number value) {
+  return store_number(to, value, std::endian::little);
 }
 
 }  // namespace tetsculpt

@@ -1,7 +1,8 @@
 #include "io/corner_normals.h"
 
-#include <cmath>
 #include <cstddef>
+
+#include "io/unit_vectors.h"
 
 namespace tetsculpt {
 namespace {
@@ -10,15 +11,6 @@ using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
 constexpr double kCosineOfCrease = 0.7;          // about 45 degrees
 constexpr std::size_t kMostTrianglesMixed = 64;  // at a point; the work is quadratic in them
-
-Vec3<double> minus(const Vec3<double>& a, const Vec3<double>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-Vec3<double> unit(const Vec3<double>& v) {
-  const double length = std::hypot(v.x, v.y, v.z);
-  return length > 0 ? Vec3<double>{v.x / length, v.y / length, v.z / length} : Vec3<double>{};
-}
 
 /// The triangles at each point.
 class Stars {
@@ -51,7 +43,7 @@ std::vector<std::array<Vec3<double>, 3>> corner_normals(std::span<const Vec3<dou
   std::vector<Vec3<double>> areas;  // as long as twice the area, upright on the triangle
   std::vector<Vec3<double>> normals;
   for (const auto& [a, b, c] : triangles) {
-    areas.push_back(cross(minus(points[b], points[a]), minus(points[c], points[a])));
+    areas.push_back(cross(points[b] - points[a], points[c] - points[a]));
     normals.push_back(unit(areas.back()));
   }
   const Stars stars(points.size(), triangles);

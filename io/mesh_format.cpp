@@ -8,12 +8,15 @@
 namespace tetsculpt {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> kFormats = {{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 8> kFormats = {{
     {"ply", MeshFormat::kPly},
     {"obj", MeshFormat::kObj},
     {"off", MeshFormat::kOff},
     {"stl", MeshFormat::kStl},
     {"wrl", MeshFormat::kVrml},
+    {"gltf", MeshFormat::kGltf},
+    {"glb", MeshFormat::kGlb},
+    {"vtk", MeshFormat::kVtk},
 }};
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace tetsculpt {
 
 /// Formats of files that meshes are written to.
-enum class MeshFormat { kPly, kObj, kOff, kStl, kVrml };
+enum class MeshFormat { kPly, kObj, kOff, kStl, kVrml, kGltf, kGlb, kVtk };
 
 /// The format with this name: an extension without its dot, in lower case ("ply", "wrl").
 std::optional<MeshFormat> mesh_format_named(std::string_view name);

@@ -1,61 +1,65 @@
 #include "io/text_rows.h"
 
-#include <cassert>
-#include <charconv>
-#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <variant>
 
 namespace tetsculpt {
-namespace {
 
-// A row under construction. Prefix and suffix are short; three numbers take at most 3 * 24.
-class Row {
- public:
-  void add(std::string_view text) {
-    assert(text.size() <= row_.size() - size_);
-    text.copy(row_.data() + size_, text.size());
-    size_ += text.size();
+void TextRows::add(std::string_view text) {
+  make_room(text.size());
+  if (text.size() > block_.size()) {
+    out_.write(text);
+    return;
   }
-
-  template <typename Number>
-  void add_number(Number value) {
-    char* const begin = row_.data() + size_;
-    const auto result = std::to_chars(begin, row_.data() + row_.size(), value);
-    size_ += static_cast<std::size_t>(result.ptr - begin);
-  }
-
-  std::string_view view() const { return {row_.data(), size_}; }
-
- private:
-  std::array<char, 128> row_;
-  std::size_t size_ = 0;
-};
-
-}  // namespace
-
-void write_point_row(AtomicFile& out, std::string_view prefix, const Point3& point) {
-  Row row;
-  row.add(prefix);
-  row.add_number(point.x);
-  row.add(" ");
-  row.add_number(point.y);
-  row.add(" ");
-  row.add_number(point.z);
-  row.add("\n");
-  out.write(row.view());
+  text.copy(block_.data() + size_, text.size());
+  size_ += text.size();
 }
 
-void write_index_row(AtomicFile& out, std::string_view prefix,
-                     const std::array<std::uint32_t, 3>& triangle, std::uint64_t first,
-                     std::string_view suffix) {
-  Row row;
-  row.add(prefix);
-  row.add_number(first + triangle[0]);
-  row.add(" ");
-  row.add_number(first + triangle[1]);
-  row.add(" ");
-  row.add_number(first + triangle[2]);
-  row.add(suffix);
-  out.write(row.view());
+void TextRows::add_point(const Point3& point) {
+  add_number(point.x);
+  add(" ");
+  add_number(point.y);
+  add(" ");
+  add_number(point.z);
+}
+
+void TextRows::add_indices(const std::array<std::uint32_t, 3>& triangle, std::uint64_t first) {
+  add_number(first + triangle[0]);
+  add(" ");
+  add_number(first + triangle[1]);
+  add(" ");
+  add_number(first + triangle[2]);
+}
+
+void TextRows::add_value(const AttributeValues& values, std::size_t i) {
+  std::visit([&](const auto& of_type) { add_number(of_type[i]); }, values);
+}
+
+void TextRows::add_share(const AttributeValues& values, std::size_t i) {
+  std::visit(
+      [&]<typename Value>(const std::vector<Value>& of_type) {
+        if constexpr (std::is_integral_v<Value>) {
+          constexpr auto kLargest = static_cast<double>(std::numeric_limits<Value>::max());
+          add_number(static_cast<float>(of_type[i] / kLargest));
+        } else {
+          add_number(of_type[i]);
+        }
+      },
+      values);
+}
+
+void TextRows::add_fraction(const AttributeValues& values, std::size_t i) {
+  make_room(kLongestNumber);  // so that the number is in the block from here on
+  const std::size_t begin = size_;
+  add_share(values, i);
+  const std::string_view number(block_.data() + begin, size_ - begin);
+  if (number.find_first_of(".e") == std::string_view::npos) add(".0");
+}
+
+void TextRows::finish() {
+  out_.write({block_.data(), size_});
+  size_ = 0;
 }
 
 }  // namespace tetsculpt

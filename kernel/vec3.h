@@ -33,6 +33,11 @@ Vec3<T> operator+(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
+template <class T>
+Vec3<T> operator-(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
 inline Vec3<double> abs(const Vec3<double>& a) {
   return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
 }

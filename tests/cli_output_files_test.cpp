@@ -1,6 +1,7 @@
 // The output is written whole or not at all: after a failure there is no new file and an old one is
 // as it was.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
@@ -18,7 +19,8 @@ using testing::bytes_of;
 using testing::Run;
 using testing::TempDir;
 
-constexpr std::string_view kExtensions[] = {".ply", ".obj", ".off", ".stl", ".wrl"};
+constexpr std::string_view kExtensions[] = {".ply", ".obj",  ".off", ".stl",
+                                            ".wrl", ".gltf", ".glb", ".vtk"};
 
 TEST_CASE("every kind of file, on nothing or on an old one") {
   const TempDir dir;
@@ -32,7 +34,7 @@ TEST_CASE("every kind of file, on nothing or on an old one") {
       CHECK(bytes_of(dir.path() / name).size() > 500);
     }
   }
-  CHECK(testing::names_in(dir).size() == 6);
+  CHECK(testing::names_in(dir).size() == 9);
 }
 
 TEST_CASE("input and output may be one file") {
@@ -79,10 +81,9 @@ TEST_CASE("a file that can't grow to its size: nothing new, nothing changed") {
       INFO(name, over_old ? ", over an old one" : "");
       if (over_old) dir.file(name, "as it was");
       const std::vector<std::string> before = testing::names_in(dir);
-      const Run run = testing::run(dir, {"--method", "paper", "points.xyz", name},
-                                   "trap '' XFSZ; ulimit -f 2;");
+      const Run run = testing::run(dir, {"--method", "paper", "points.xyz", name}, "ulimit -f 2;");
       CHECK(run.status == 5);
-      CHECK(run.err.starts_with("tetsculpt: " + name + ": "));
+      CHECK(run.err.starts_with("tetsculpt: " + name + ": cannot write: "));
       CHECK(testing::names_in(dir) == before);
       if (over_old) CHECK(bytes_of(dir.path() / name) == "as it was");
     }
@@ -101,6 +102,21 @@ TEST_CASE("a device that is full") {
     CHECK(run.status == 5);
     CHECK(run.err.starts_with("tetsculpt: " + name + ": "));
     CHECK(std::filesystem::is_symlink(dir.path() / name));
+  }
+}
+
+TEST_CASE("a pipe whose reader has gone") {
+  const TempDir dir;
+  dir.file("points.xyz", testing::xyz(point_sets::uniform_cube(3000, 1)));
+  for (const std::string_view extension : kExtensions) {
+    const std::string name = "pipe" + std::string(extension);
+    INFO(name);
+    REQUIRE(mkfifo((dir.path() / name).c_str(), 0600) == 0);
+    // The file is larger than what a pipe holds.
+    const Run run = testing::run(dir, {"--method", "paper", "points.xyz", name},
+                                 "{ head -c 1 <" + name + " >head & };");
+    CHECK(run.status == 5);
+    CHECK(run.err.starts_with("tetsculpt: " + name + ": cannot write: Broken pipe"));
   }
 }
 

@@ -22,10 +22,11 @@ TEST_CASE("help goes to stdout and names every option and status") {
     CHECK(run.err.empty());
     CHECK(run.out.starts_with("Usage: tetsculpt "));
     for (const std::string part :
-         {"--method", "--criterion", "--skip-invalid", "--threads", "--stats", "--quiet",
-          "--help",   "--version",   "constrained",    "longest",   "area",    "gamma",
-          "paper",    "Exit status", "\n  0 ",         "--picture", "--view",  "--up",
-          "\n  1 ",   "\n  2 ",      "\n  3 ",         "\n  4 ",    "\n  5 "}) {
+         {"--method",  "--criterion", "--skip-invalid",  "--threads", "--stats", "--quiet",
+          "--help",    "--version",   "constrained",     "longest",   "area",    "gamma",
+          "paper",     "Exit status", "\n  0 ",          "--picture", "--view",  "--up",
+          "--normals", "--ascii",     "--no-attributes", "\n  1 ",    "\n  2 ",  "\n  3 ",
+          "\n  4 ",    "\n  5 "}) {
       INFO(part);
       CHECK(run.out.find(part) != std::string::npos);
     }
@@ -69,8 +70,9 @@ TEST_CASE("wrong usage says why, on stderr, in one line") {
       {{"--criterion", "best", "a.xyz", "b.ply"},
        "--criterion: 'best' is none of area, gamma, longest, constrained"},
       {{"a.xyz", "b.doc"},
-       "b.doc: unknown kind of output file; use .ply, .obj, .off, .stl or .wrl"},
-      {{"a.xyz", "b"}, "b: unknown kind of output file; use .ply, .obj, .off, .stl or .wrl"}};
+       "b.doc: unknown kind of output file; use one of .ply .obj .off .stl .wrl .gltf .glb .vtk"},
+      {{"a.xyz", "b"},
+       "b: unknown kind of output file; use one of .ply .obj .off .stl .wrl .gltf .glb .vtk"}};
   for (const auto& [words, message] : lines) {
     const Run run = testing::run(dir, words);
     CHECK(run.status == 1);

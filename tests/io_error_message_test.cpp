@@ -69,13 +69,14 @@ TEST_CASE("files that cannot be read at all") {
 
 TEST_CASE("an unknown extension is refused before anything is written") {
   const TempDir dir;
-  for (const char* name : {"mesh.xyz", "mesh", "mesh.gltf", ".ply"}) {
+  for (const char* name : {"mesh.xyz", "mesh", "mesh.gltf.txt", ".ply"}) {
     CAPTURE(name);
     CHECK_FALSE(writable_mesh_extension(name));
     CHECK_THROWS_AS(write_mesh({}, dir.path() / name), IoError);
   }
   CHECK(std::filesystem::is_empty(dir.path()));
-  for (const char* name : {"m.ply", "m.obj", "m.off", "m.stl", "m.wrl", "M.PLY", "m.x.Wrl"}) {
+  for (const char* name : {"m.ply", "m.obj", "m.off", "m.stl", "m.wrl", "m.gltf", "m.glb", "m.vtk",
+                           "M.PLY", "m.x.Wrl"}) {
     CAPTURE(name);
     CHECK(writable_mesh_extension(name));
   }

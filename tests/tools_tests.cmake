@@ -16,14 +16,18 @@ if(TARGET tetsculpt_cli)
   foreach(
     name
     cli_exit_status_test
+    cli_normals_test
     cli_output_files_test
     cli_picture_test
     cli_scan_test
     cli_stats_test
-    cli_usage_test)
+    cli_usage_test
+    cli_vertex_attributes_test)
     tetsculpt_test(${name})
     target_link_libraries(${name} PRIVATE tetsculpt_cli_support)
   endforeach()
+
+  target_sources(cli_vertex_attributes_test PRIVATE ${PROJECT_SOURCE_DIR}/tools/surface_file.cpp)
 
   # With our flags, so that a build with sanitizers links. The install rules take the program along.
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)

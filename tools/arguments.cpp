@@ -116,6 +116,12 @@ class Parser {
       out_.stats = true;
     } else if (option == "--skip-invalid") {
       out_.skip_invalid = true;
+    } else if (option == "--no-attributes") {
+      out_.attributes = false;
+    } else if (option == "--normals") {
+      out_.normals = true;
+    } else if (option == "--ascii") {
+      out_.ply_encoding = PlyEncoding::kAscii;
     } else if (option == "--method") {
       out_.options.method = value_of(option, value(option), kMethods);
     } else if (option == "--criterion") {
@@ -148,8 +154,12 @@ class Parser {
       throw UsageError(files_ == 0 ? "no input file given" : "no output file given");
     }
     if (!writable_mesh_extension(out_.output)) {
-      throw UsageError(out_.output.string() +
-                       ": unknown kind of output file; use .ply, .obj, .off, .stl or .wrl");
+      throw UsageError(out_.output.string() + ": unknown kind of output file; use one of " +
+                       mesh_format_extensions());
+    }
+    if (out_.ply_encoding == PlyEncoding::kAscii &&
+        mesh_format_of(out_.output) != MeshFormat::kPly) {
+      throw UsageError("--ascii is for .ply files; " + out_.output.string() + " is none");
     }
     if (!out_.picture.empty() && lowercase_extension(out_.picture) != ".png") {
       throw UsageError(out_.picture.string() + ": unknown kind of picture; use .png");
@@ -183,7 +193,8 @@ through every one of them. It needs positions only: no normals, no parameter.
 
   POINTS    .xyz .txt .csv .pts .asc (x y z per line, further columns ignored),
             .ply, or the vertices of an .obj or .off file
-  SURFACE   .ply .obj .off .stl .wrl
+  SURFACE   .ply .obj .off .stl .wrl .gltf .glb .vtk; a point's colours, normals
+            and other attributes go along where the format can hold them
 
 Options:
   --method NAME      how to sculpt: guided by evidence for inside and outside
@@ -193,6 +204,9 @@ Options:
                      area, gamma
   --skip-invalid     drop points with a NaN or infinite coordinate and say how
                      many; without this they are an error
+  --no-attributes    write positions only
+  --normals          write the normals of the surface at its vertices, too
+  --ascii            write a .ply file as text
   --threads N        use at most N threads (default: all cores); the surface
                      does not depend on it
   --picture FILE     draw the surface, too, into a .png file; what is seen of it

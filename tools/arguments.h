@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/picture.h"
+#include "io/ply_writer.h"
 #include "sculpt/reconstruct.h"
 
 /// The command line of `tetsculpt`.
@@ -23,6 +24,9 @@ struct Arguments {
   bool quiet = false;
   bool stats = false;
   bool skip_invalid = false;
+  bool attributes = true;  ///< of the input go along with the vertices
+  bool normals = false;    ///< of the surface go along, too
+  PlyEncoding ply_encoding = PlyEncoding::kBinary;
 };
 
 /// A command line that makes no sense; what() says why.

@@ -1,6 +1,7 @@
 // The command line program: parses, calls the library, reports. Exit statuses are in help().
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <span>
@@ -12,11 +13,11 @@
 #include "io/picture.h"
 #include "io/png_writer.h"
 #include "io/read_points.h"
-#include "io/write_mesh.h"
 #include "sculpt/reconstruct.h"
 #include "tools/arguments.h"
 #include "tools/progress.h"
 #include "tools/report.h"
+#include "tools/surface_file.h"
 #include "tools/version.h"
 
 namespace tetsculpt::cli {
@@ -68,8 +69,7 @@ void report_hidden(const std::vector<std::size_t>& hidden,
 }
 
 /// Throws IoError.
-void write_outputs(const Arguments& arguments, const TriangleMesh& mesh, Precision precision) {
-  write_mesh(mesh, arguments.output, {.precision = precision});
+void write_picture(const Arguments& arguments, const TriangleMesh& mesh) {
   if (arguments.picture.empty()) return;
   write_png(draw({.mesh = &mesh}, arguments.view), arguments.picture);
 }
@@ -111,7 +111,10 @@ int run(const Arguments& arguments) {
 
   const auto write_start = std::chrono::steady_clock::now();
   try {
-    write_outputs(arguments, result.mesh, file.precision);
+    for (const std::string& line : write_surface(arguments, file, result, index_in_file)) {
+      std::fprintf(stderr, "tetsculpt: %s\n", line.c_str());
+    }
+    write_picture(arguments, result.mesh);
   } catch (const IoError& error) {
     return fail(kNoOutput, error.what());
   }
@@ -149,6 +152,11 @@ int run_words(std::span<const char* const> words) {
 }  // namespace tetsculpt::cli
 
 int main(int argc, char** argv) {
+  // A write to a closed pipe, or beyond a limit of size, is to fail, not to end the program.
+#ifdef SIGPIPE
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
   try {
     return tetsculpt::cli::run_words({argv + 1, static_cast<std::size_t>(argc - 1)});
   } catch (const std::bad_alloc&) {
