@@ -48,11 +48,14 @@ Knowledge gather(std::span<const Point3> points, const TetComplex& complex,
                  const std::function<void(double)>& progress) {
   Knowledge known;
   const LargeArray<PolePair> pairs = poles(points, complex, spheres);
+  progress(0.2);
   LargeArray<float> overlap = overlaps(complex, spheres);
   progress(0.3);
   known.graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  progress(0.35);
   known.alone = contradicted_tets(complex, known.graph, pairs);
   if (any(known.alone)) known.graph = label_graph(complex, overlap, known.alone);
+  progress(0.4);
   const LargeArray<Side> guess = first_guess(known.graph, overlap, pairs);
   progress(0.5);
   known.evidence = weigh_evidence(points, complex, spheres, pairs, known.graph, guess,
@@ -68,6 +71,7 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
     if (options.progress) options.progress(done);
   };
   const Circumspheres spheres(points, complex);
+  progress(0.1);
   Knowledge known = gather(points, complex, spheres, egh_triangles, progress);
   progress(0.7);
   CutLabels cut = cut_labels(complex, known.graph, known.evidence);
