@@ -19,4 +19,7 @@ struct FileContent {
 /// Throws IoError if it is missing, unreadable or a directory.
 FileContent read_file(const std::filesystem::path& path);
 
+/// Reads standard input to its end. Throws IoError, with "standard input" for a path.
+FileContent read_standard_input();
+
 }  // namespace tetsculpt
