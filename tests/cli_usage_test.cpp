@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,13 +23,24 @@ TEST_CASE("help goes to stdout and names every option and status") {
     CHECK(run.err.empty());
     CHECK(run.out.starts_with("Usage: tetsculpt "));
     for (const std::string part :
-         {"--method", "--criterion", "--skip-invalid", "--threads", "--stats", "--quiet",
-          "--help",   "--version",   "constrained",    "longest",   "area",    "gamma",
-          "paper",    "Exit status", "\n  0 ",         "--picture", "--view",  "--up",
-          "\n  1 ",   "\n  2 ",      "\n  3 ",         "\n  4 ",    "\n  5 "}) {
+         {"--method", "--criterion", "--skip-invalid", "--threads", "--stats",      "--quiet",
+          "--help",   "--version",   "constrained",    "longest",   "area",         "gamma",
+          "paper",    "Exit status", "\n  0 ",         "--picture", "--view",       "--up",
+          "--input",  "--output",    "--dry-run",      "--graphs",  "--tetrahedra", "\n  1 ",
+          "\n  2 ",   "\n  3 ",      "\n  4 ",         "\n  5 "}) {
       INFO(part);
       CHECK(run.out.find(part) != std::string::npos);
     }
+  }
+}
+
+TEST_CASE("help fits a terminal") {
+  const TempDir dir;
+  std::istringstream lines(testing::run(dir, {"--help"}).out);
+  for (std::string line; std::getline(lines, line);) {
+    INFO(line);
+    CHECK(line.size() < 80);
+    CHECK_FALSE(line.ends_with(' '));
   }
 }
 
@@ -60,7 +72,7 @@ TEST_CASE("wrong usage says why, on stderr, in one line") {
       {{"a.xyz", "b.ply", "--method"}, "--method needs a value"},
       {{"a.xyz", "b.ply", "--criterion"}, "--criterion needs a value"},
       {{"--quiet=yes", "a.xyz", "b.ply"}, "--quiet takes no value"},
-      {{"--stats=", "a.xyz", "b.ply"}, "--stats takes no value"},
+      {{"--stats=", "a.xyz", "b.ply"}, "--stats= needs a file"},
       {{"--threads=0", "a.xyz", "b.ply"}, "--threads: '0' is not a number from 1 to 1024"},
       {{"--threads", "two", "a.xyz", "b.ply"}, "--threads: 'two' is not a number from 1 to 1024"},
       {{"--threads", "3x", "a.xyz", "b.ply"}, "--threads: '3x' is not a number from 1 to 1024"},

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "kernel/predicates.h"
+#include "kernel/tet_complex.h"
+#include "sculpt/reconstruct.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
 
@@ -60,8 +62,10 @@ TEST_CASE("the surface is the boundary of the tetrahedra inside, which are posit
 TEST_CASE("the graphs have the sizes that are counted, and lie in each other") {
   for (const Method method : {Method::kGuided, Method::kPaper}) {
     const Reconstruction r = kept(point_sets::uniform_cube(300, 2), method);
-    const auto& [points, emst, gabriel, egh] = r.graphs;
-    CHECK(points == r.mesh.points);
+    const PointGraph& emst = r.graphs.emst;
+    const PointGraph& gabriel = r.graphs.gabriel;
+    const PointGraph& egh = r.graphs.egh;
+    CHECK(r.graphs.points == r.mesh.points);
     CHECK(emst.edges.size() == r.counts.emst_edges);
     CHECK(gabriel.edges.size() == r.counts.gabriel_edges);
     CHECK(egh.edges.size() == r.counts.egh_edges);

@@ -108,12 +108,13 @@ class Parser {
 
   /// -q, -qv, -o value, -ovalue.
   void take_letters(std::string_view word) {
-    if (option_named(word.substr(1, word.find('=') - 1)) != nullptr) {  // -output
-      unknown_option(word, word.substr(1, word.find('=') - 1));
+    const std::string_view before_value = word.substr(0, word.find('='));
+    if (option_named(before_value.substr(1)) != nullptr) {  // -output
+      unknown_option(before_value, before_value.substr(1));
     }
     for (std::size_t k = 1; k < word.size(); ++k) {
       const Option* option = option_lettered(word[k]);
-      if (option == nullptr) unknown_option(word, word.substr(1));
+      if (option == nullptr) unknown_option(before_value, before_value.substr(1));
       const std::string given{'-', word[k]};
       if (option->takes == Takes::kValue) {
         return note(*option, given, k + 1 < word.size() ? word.substr(k + 1) : next_word(given));

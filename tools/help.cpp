@@ -76,7 +76,7 @@ Examples:
   Numbers for a program:
     tetsculpt --stats slices.csv organ.stl > organ.json
   In a pipe:
-    zcat scan.xyz.gz | tetsculpt --input-format xyz --output-format ply - - > a.ply
+    zcat scan.xyz.gz | tetsculpt --input-format xyz - surface.ply
   The tetrahedra and the graphs behind the surface:
     tetsculpt --tetrahedra all.vtk --graphs scan scan.xyz surface.ply
 
