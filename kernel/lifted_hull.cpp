@@ -142,6 +142,7 @@ class Construction {
   }
 
   LiftedHull result() {
+    report(0);  // all are in: the rounds' sizes are in done_
     return hull::output(facets_.take_links(), inserter_.free(), points_.size(), options_.threads);
   }
 

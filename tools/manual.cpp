@@ -12,6 +12,9 @@
 namespace tetsculpt::cli {
 namespace {
 
+/// When the text was last gone over.
+constexpr std::string_view kWritten = "2026-11-24";
+
 /// Text as troff takes it literally.
 std::string literal(std::string_view text) {
   std::string out;
@@ -138,7 +141,7 @@ Forum 19(3), 2000.
 }  // namespace
 
 std::string manual() {
-  std::string text = ".TH TETSCULPT 1 \"\" \"tetsculpt ";
+  std::string text = ".TH TETSCULPT 1 \"" + std::string(kWritten) + "\" \"tetsculpt ";
   text.append(kVersion).append("\" \"User commands\"\n").append(kSynopsis).append(formats());
   return text + options_section() + stats_section() + status_section() + std::string(kEnd);
 }

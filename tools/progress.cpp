@@ -17,17 +17,18 @@ constexpr auto kQuick = 1s;  ///< what takes no longer needs no progress
 constexpr auto kOnTerminal = 100ms;
 constexpr auto kElsewhere = 4s;
 
-/// What a stage takes of the whole, about: measured on surfaces of a million points.
+/// What a stage takes of the whole, about: between scans, where sculpting takes longest, and clean
+/// surfaces.
 struct Stage {
   std::string_view name;
   double begin;
   double end;
 };
 constexpr std::array<Stage, 5> kStages{{{"read", 0, 0.05},
-                                        {"delaunay", 0.05, 0.6},
-                                        {"graphs", 0.6, 0.7},
-                                        {"sculpt", 0.7, 0.95},
-                                        {"write", 0.95, 1}}};
+                                        {"delaunay", 0.05, 0.5},
+                                        {"graphs", 0.5, 0.58},
+                                        {"sculpt", 0.58, 0.96},
+                                        {"write", 0.96, 1}}};
 
 double share_of_whole(std::string_view stage, double done) {
   const auto it = std::ranges::find(kStages, stage, &Stage::name);
