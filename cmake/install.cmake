@@ -12,6 +12,12 @@ foreach(folder kernel sculpt io)
 endforeach()
 if(TETSCULPT_TOOLS)
   install(TARGETS tetsculpt_cli DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(NOT CMAKE_CROSSCOMPILING)
+    install(FILES ${PROJECT_BINARY_DIR}/tetsculpt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${PROJECT_BINARY_DIR}/tetsculpt.bash
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+            RENAME tetsculpt)
+  endif()
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tetsculpt)

@@ -1,6 +1,9 @@
 #include "io/atomic_file.h"
 
+#include <unistd.h>
+
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cerrno>
 #include <charconv>
@@ -36,6 +39,43 @@ std::string temporary_name() {
 
 }  // namespace
 
+/// The path of a temporary file where a signal handler finds it: the handler can be given nothing,
+/// so these are global. Taken before the file is made, let go of when it is gone.
+class AtomicFile::Doomed {
+ public:
+  /// Null if the path is too long or no place is free.
+  static Doomed* take(const std::string& path) {
+    if (path.size() >= kMostPathBytes) return nullptr;
+    for (Doomed& doomed : all) {
+      State expected = State::kFree;
+      if (!doomed.state_.compare_exchange_strong(expected, State::kTaken)) continue;
+      path.copy(doomed.path_.data(), path.size());
+      doomed.path_[path.size()] = 0;
+      doomed.state_ = State::kNamed;
+      return &doomed;
+    }
+    return nullptr;
+  }
+  void let_go() { state_ = State::kFree; }
+  static void remove_all() noexcept {
+    for (const Doomed& doomed : all) {
+      if (doomed.state_ == State::kNamed) ::unlink(doomed.path_.data());
+    }
+  }
+
+ private:
+  enum class State : int { kFree, kTaken, kNamed };
+  static_assert(std::atomic<State>::is_always_lock_free);  // a handler may load it
+
+  static std::array<Doomed, kMostOpenFiles> all;
+  std::atomic<State> state_ = State::kFree;
+  std::array<char, kMostPathBytes> path_{};
+};
+
+constinit std::array<AtomicFile::Doomed, kMostOpenFiles> AtomicFile::Doomed::all{};
+
+void remove_temporary_files() noexcept { AtomicFile::Doomed::remove_all(); }
+
 AtomicFile::AtomicFile(const fs::path& target) : target_(target), final_(target) {
   block_.reserve(kBlockSize);
   std::error_code ignored;
@@ -58,6 +98,7 @@ AtomicFile::~AtomicFile() {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  if (doomed_ != nullptr) doomed_->let_go();
 }
 
 void AtomicFile::open_temporary() {
@@ -65,9 +106,14 @@ void AtomicFile::open_temporary() {
   int error = EEXIST;
   for (int i = 0; i < kAttempts && error == EEXIST; ++i) {
     const fs::path name = final_.parent_path() / temporary_name();
+    doomed_ = Doomed::take(name.string());
     file_ = std::fopen(name.string().c_str(), "wbx");  // x: must not exist
     error = file_ == nullptr ? errno : 0;
-    if (file_ != nullptr) temporary_ = name;
+    if (file_ != nullptr) {
+      temporary_ = name;
+    } else if (doomed_ != nullptr) {
+      std::exchange(doomed_, nullptr)->let_go();
+    }
   }
   if (file_ == nullptr) fail("cannot create", error);
 }

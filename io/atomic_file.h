@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -32,6 +33,9 @@ class AtomicFile {
   void commit();
 
  private:
+  class Doomed;
+  friend void remove_temporary_files() noexcept;
+
   void open_temporary();
   void write_through(std::string_view bytes);
   [[noreturn]] void fail(std::string_view doing, int error) const;
@@ -41,6 +45,15 @@ class AtomicFile {
   std::filesystem::path temporary_;  // empty if the target is written directly
   std::string block_;
   std::FILE* file_ = nullptr;
+  Doomed* doomed_ = nullptr;  // what remove_temporary_files knows of this file
 };
+
+/// Removes the temporary files of all AtomicFiles there are, for a program that is about to end by
+/// a signal and runs no destructors: of all functions of the library the only one that a signal
+/// handler may call. It is for the paths of up to kMostPathBytes of up to kMostOpenFiles files at a
+/// time; others stay behind. Relative paths are meant from where the program was when it made them.
+void remove_temporary_files() noexcept;
+inline constexpr std::size_t kMostPathBytes = 4096;
+inline constexpr std::size_t kMostOpenFiles = 8;
 
 }  // namespace tetsculpt

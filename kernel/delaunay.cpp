@@ -6,12 +6,20 @@
 #include "kernel/lifted_hull.h"
 
 namespace tetsculpt {
+namespace {
+
+/// Of the work; the rest finds triangles and edges.
+constexpr double kHullShare = 0.85;
+
+}  // namespace
 
 TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options) {
   const LargeArrayReuse reuse;
-  LiftedHull hull =
-      lifted_hull(points.points, {.threads = options.threads, .progress = options.progress});
+  std::function<void(double)> progress;
+  if (options.progress) progress = [&](double in) { options.progress(kHullShare * in); };
+  LiftedHull hull = lifted_hull(points.points, {.threads = options.threads, .progress = progress});
   if (hull.tets.empty()) return {};
+  if (progress) progress(1);
   return TetComplex(std::move(hull), points.points.size());
 }
 

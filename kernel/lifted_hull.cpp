@@ -26,6 +26,7 @@
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -132,7 +133,7 @@ class Construction {
       const std::size_t threads = std::min(static_cast<std::size_t>(std::max(options_.threads, 1)),
                                            round.size() / kWorthAThread);
       if (threads < 2) {
-        insert(round, inserter_, options_.progress);
+        insert(round, inserter_, [&](std::size_t k) { report(k); });
       } else {
         insert_in_parallel(round, threads);
       }
@@ -141,6 +142,7 @@ class Construction {
   }
 
   LiftedHull result() {
+    report(0);  // all are in: the rounds' sizes are in done_
     return hull::output(facets_.take_links(), inserter_.free(), points_.size(), options_.threads);
   }
 
@@ -148,14 +150,19 @@ class Construction {
   /// Rounds of fewer points per thread are one thread's.
   static constexpr std::size_t kWorthAThread = 8192;
 
-  void insert(std::span<const Site> sites, Inserter& inserter,
-              const std::function<void(double)>& progress) const {
+  /// Tells how many points of the round are in. May throw, see LiftedHullOptions.
+  void report(std::size_t in_round) const {
+    if (!options_.progress) return;
+    options_.progress(static_cast<double>(done_ + in_round) / static_cast<double>(points_.size()));
+  }
+
+  /// Calls told(k) now and then, with the number of sites that are in.
+  template <class Told>
+  void insert(std::span<const Site> sites, Inserter& inserter, Told&& told) const {
     constexpr std::size_t kReportEvery = 4096 * Inserter::kBatch;
     for (std::size_t k = 0; k < sites.size(); k += Inserter::kBatch) {
       inserter.insert(sites.subspan(k, std::min(Inserter::kBatch, sites.size() - k)));
-      if (progress && k % kReportEvery == 0) {
-        progress(static_cast<double>(done_ + k) / static_cast<double>(points_.size()));
-      }
+      if (k % kReportEvery == 0) told(k);
     }
   }
 
@@ -170,13 +177,43 @@ class Construction {
       inserters.push_back(inserter_.helper(own));
     }
     facets_.share();
+    std::atomic<bool> cancelled = false;
     parallel_each(threads, [&](std::size_t t) {
-      insert(round.subspan(cut(t), cut(t + 1) - cut(t)), inserters[t],
-             t == 0 ? options_.progress : std::function<void(double)>());
+      insert(round.subspan(cut(t), cut(t + 1) - cut(t)), inserters[t], [&](std::size_t k) {
+        if (t == 0) {
+          report_or_set(cancelled, k);
+        } else if (cancelled) {
+          throw Cancelled();
+        }
+      });
     });
     facets_.unshare();
     for (const Inserter& helper : inserters) inserter_.take_over(helper);
-    for (const Inserter& helper : inserters) insert(helper.deferred(), inserter_, {});
+    insert_deferred(inserters, round.size(), cut(1));
+  }
+
+  /// What no stretch could hold. `told` is the most that was told of the round so far.
+  void insert_deferred(const std::vector<Inserter>& inserters, std::size_t round_size,
+                       std::size_t told) {
+    std::size_t left = 0;
+    for (const Inserter& helper : inserters) left += helper.deferred().size();
+    for (const Inserter& helper : inserters) {
+      const std::size_t in = round_size - left;
+      insert(helper.deferred(), inserter_, [&](std::size_t k) { report(std::max(told, in + k)); });
+      left -= helper.deferred().size();
+    }
+  }
+
+  /// Ends the other threads; the first one's exception is the one that is seen.
+  struct Cancelled {};
+
+  void report_or_set(std::atomic<bool>& cancelled, std::size_t in_round) const {
+    try {
+      report(in_round);
+    } catch (...) {
+      cancelled = true;
+      throw;
+    }
   }
 
   std::span<const Point3> points_;

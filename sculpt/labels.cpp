@@ -140,7 +140,7 @@ class Refinement {
         alone_(std::move(alone)),
         insistence_(complex.vertex_count(), kInsistence) {}
 
-  RefinedLabels run(const StarFaults& coarse) {
+  RefinedLabels run(const StarFaults& coarse, const std::function<void(double)>& progress) {
     isolate(coarse.hidden);
     isolate(coarse.bad);
     graph_ = label_graph(complex_, evidence_.overlap, alone_);
@@ -149,6 +149,7 @@ class Refinement {
     Flags at_first, best;
     std::size_t least_faults = SIZE_MAX;
     for (int round = 0; round <= kRounds; ++round) {
+      if (progress) progress(static_cast<double>(round + 1) / (kRounds + 2));
       cut.solve();
       if (round == 0) at_first = cut.inside();
       const StarFaults faults = cut.faults();
@@ -210,8 +211,9 @@ CutLabels cut_labels(const TetComplex& complex, const LabelGraph& graph, const E
 }
 
 RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars, Flags alone,
-                             const StarFaults& faults, const Evidence& evidence) {
-  return Refinement(complex, stars, std::move(alone), evidence).run(faults);
+                             const StarFaults& faults, const Evidence& evidence,
+                             const std::function<void(double)>& progress) {
+  return Refinement(complex, stars, std::move(alone), evidence).run(faults, progress);
 }
 
 }  // namespace tetsculpt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "kernel/edge_order.h"
 #include "kernel/tet_complex.h"
 #include "kernel/vertex_stars.h"
@@ -34,8 +36,10 @@ struct RefinedLabels {
 };
 
 /// Cuts again with single tetrahedra as nodes around these faults and where `alone` flags them, and
-/// again while poles of hidden vertices insist.
+/// again while poles of hidden vertices insist. `progress` is told before each cut, from 0 to 1,
+/// and may throw.
 RefinedLabels refined_labels(const TetComplex& complex, const VertexStars& stars, Flags alone,
-                             const StarFaults& faults, const Evidence& evidence);
+                             const StarFaults& faults, const Evidence& evidence,
+                             const std::function<void(double)>& progress = {});
 
 }  // namespace tetsculpt

@@ -6,7 +6,10 @@
 // topology. A search that need not keep it comes last.
 #include "sculpt/mend_surface.h"
 
+#include <functional>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "kernel/vertex_stars.h"
 #include "sculpt/boundary.h"
@@ -30,6 +33,13 @@ constexpr std::size_t kSearches[] = {256, 4096, 65536};
 constexpr std::size_t kManyPerManyHidden = 8;
 constexpr std::size_t kMendFlips = 200'000;
 
+using Progress = std::function<void(double)>;
+
+/// A part of the work as the whole sees it.
+Progress part(const Progress& whole, double begin, double end) {
+  return [&whole, begin, end](double done) { whole(begin + (end - begin) * done); };
+}
+
 /// Makes all stars good.
 void mend(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
   if (StarSearch(boundary, stars, evidence).mend_bad(kMendFlips)) return;
@@ -44,57 +54,74 @@ bool few_hidden(std::size_t hidden, std::size_t vertices) {
 
 /// Calls expose with each vertex that is still hidden.
 template <class Expose>
-void for_hidden(const Boundary& boundary, Expose&& expose) {
-  for (const VertexId v : boundary.hidden_vertices()) {
-    if (!boundary.on_boundary(v)) expose(v);
+void for_hidden(const Boundary& boundary, const Progress& progress, Expose&& expose) {
+  const std::vector<VertexId> hidden = boundary.hidden_vertices();
+  for (std::size_t k = 0; k < hidden.size(); ++k) {
+    progress(static_cast<double>(k) / static_cast<double>(hidden.size()));
+    if (!boundary.on_boundary(hidden[k])) expose(hidden[k]);
   }
 }
 
-void search_hidden(Boundary& boundary, const VertexStars& stars, const Evidence& evidence) {
+void search_hidden(Boundary& boundary, const VertexStars& stars, const Evidence& evidence,
+                   const Progress& progress) {
+  constexpr double kPasses = std::size(kWalks) + std::size(kSearches);
+  double pass = 0;
+  const auto next_pass = [&] {
+    const Progress mine = part(progress, pass / kPasses, (pass + 1) / kPasses);
+    ++pass;
+    return mine;
+  };
   for (const std::size_t steps : kWalks) {
     if (steps * boundary.hidden_count() > kMostSteps) break;
-    for_hidden(boundary, [&](VertexId v) { expose_by_walk(boundary, stars, v, steps); });
+    for_hidden(boundary, next_pass(),
+               [&](VertexId v) { expose_by_walk(boundary, stars, v, steps); });
   }
   if (boundary.hidden_count() == 0) return;
   StarSearch search(boundary, stars, evidence);
   for (const std::size_t flips : kSearches) {
-    for_hidden(boundary, [&](VertexId v) { search.expose(v, flips); });
+    for_hidden(boundary, next_pass(), [&](VertexId v) { search.expose(v, flips); });
   }
 }
 
 /// Moves a start to the labels on which the poles insisted, and through all vertices.
 Boundary surface_from(Flags start, const Flags& wanted, const TetComplex& complex,
                       const VertexStars& stars, const Circumspheres& spheres,
-                      const Evidence& evidence) {
+                      const Evidence& evidence, const Progress& progress) {
   Boundary boundary(complex, std::move(start));
+  progress(0.1);
   if (few_hidden(boundary.hidden_count(), complex.vertex_count())) {
     mend(boundary, stars, evidence);
+    progress(0.2);
     deform_towards(boundary, spheres, wanted, FlipOrder::kSmallestFirst);
   } else {
     boundary = Boundary(complex);
     deform_towards(boundary, spheres, wanted, FlipOrder::kLargestFirst);
   }
+  progress(0.4);
   Flags solid = boundary.solid();
   expose_hidden(complex, spheres, boundary.hidden_vertices(), solid);
+  progress(0.5);
   boundary = Boundary(complex, std::move(solid));
-  search_hidden(boundary, stars, evidence);
+  search_hidden(boundary, stars, evidence, part(progress, 0.6, 1));
   return boundary;
 }
 
 }  // namespace
 
 Sculpture mended_surface(const TetComplex& complex, const Circumspheres& spheres,
-                         const Evidence& evidence, const StarFaults& faults, Flags alone) {
+                         const Evidence& evidence, const StarFaults& faults, Flags alone,
+                         const Progress& progress) {
   const VertexStars stars(complex);
-  RefinedLabels labels = refined_labels(complex, stars, std::move(alone), faults, evidence);
+  RefinedLabels labels =
+      refined_labels(complex, stars, std::move(alone), faults, evidence, part(progress, 0, 0.5));
   const auto quality = [&](const Boundary& boundary) {
     return std::pair(boundary.hidden_count(), energy(complex, evidence, boundary.solid()));
   };
-  Boundary best =
-      surface_from(std::move(labels.likely), labels.wanted, complex, stars, spheres, evidence);
+  Boundary best = surface_from(std::move(labels.likely), labels.wanted, complex, stars, spheres,
+                               evidence, part(progress, 0.5, 0.75));
   if (few_hidden(faults.hidden.size(), complex.vertex_count())) {
-    Boundary plain =
-        surface_from(std::move(labels.first), labels.wanted, complex, stars, spheres, evidence);
+    Boundary plain = surface_from(std::move(labels.first), labels.wanted, complex, stars, spheres,
+                                  evidence, part(progress, 0.75, 1));
     if (quality(plain) < quality(best)) best = std::move(plain);
   }
   return {.solid = best.solid(), .hidden = best.hidden_vertices()};

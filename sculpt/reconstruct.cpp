@@ -11,6 +11,7 @@
 #include "kernel/first_simplex.h"
 #include "kernel/gabriel.h"
 #include "kernel/large_array.h"
+#include "sculpt/kept.h"
 #include "sculpt/sculpt_guided.h"
 #include "sculpt/sculpt_paper.h"
 
@@ -41,38 +42,59 @@ std::size_t count(const Flags& flags) {
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
 }
 
-/// The graphs. Guided sculpting needs no edges of the EMST, only their number, which is known.
-Constraints constraints(std::span<const Point3> points, const TetComplex& complex,
-                        const ReconstructOptions& options, Reconstruction::Counts& counts) {
-  const Flags gabriel = gabriel_edges(points, complex, options.threads);
-  Egh egh = extended_gabriel_hypergraph(points, complex, gabriel);
-  counts.gabriel_edges = count(gabriel);
-  counts.emst_edges = points.size() - 1;
-  counts.egh_edges = count(egh.edges);
-  counts.egh_triangles = count(egh.triangles);
-  Constraints result{std::move(egh.triangles), {}};
-  if (options.method == Method::kPaper) {
-    result.emst_edges.assign(complex.edge_count(), 0);
-    for (const EdgeId e : emst(complex, edges_by_length(points, complex, gabriel))) {
-      result.emst_edges[+e] = 1;
+/// The graphs as flags. The EMST is there for the paper's method or to be kept: guided sculpting
+/// needs no edges of it, only their number, which is known.
+struct Graphs {
+  Flags gabriel;
+  Flags egh_edges;
+  Constraints held_back;
+};
+
+Graphs graphs(std::span<const Point3> points, const TetComplex& complex,
+              const ReconstructOptions& options) {
+  const auto progress = stage_progress(options, "graphs");
+  const auto told = [&](double done) {
+    if (progress) progress(done);
+  };
+  Graphs out;
+  out.gabriel = gabriel_edges(points, complex, options.threads);
+  told(0.5);
+  Egh egh = extended_gabriel_hypergraph(points, complex, out.gabriel);
+  out.egh_edges = std::move(egh.edges);
+  out.held_back.egh_triangles = std::move(egh.triangles);
+  told(0.8);
+  if (options.method == Method::kPaper || options.keep.graphs) {
+    out.held_back.emst_edges.assign(complex.edge_count(), 0);
+    for (const EdgeId e : emst(complex, edges_by_length(points, complex, out.gabriel))) {
+      out.held_back.emst_edges[+e] = 1;
     }
   }
-  return result;
+  told(1);
+  return out;
 }
 
-Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex,
-                 const Constraints& held_back, const ReconstructOptions& options) {
+void count_graphs(const Graphs& graphs, Reconstruction::Counts& counts) {
+  counts.gabriel_edges = count(graphs.gabriel);
+  counts.emst_edges = counts.vertices - 1;
+  counts.egh_edges = count(graphs.egh_edges);
+  counts.egh_triangles = count(graphs.held_back.egh_triangles);
+}
+
+Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex, const Graphs& graphs,
+                 const ReconstructOptions& options) {
   const auto progress = stage_progress(options, "sculpt");
   if (options.method == Method::kGuided) {
-    return sculpt_guided(points, complex, held_back.egh_triangles, {.progress = progress});
+    return sculpt_guided(points, complex, graphs.held_back.egh_triangles, {.progress = progress});
   }
-  return sculpt_paper(points, complex, held_back,
+  return sculpt_paper(points, complex, graphs.held_back,
                       {.criterion = options.criterion, .progress = progress});
 }
 
-/// Renumbers a surface over vertex ids to the order of the input and fills in the rest.
-void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
-                const TetComplex& complex, const Sculpture& sculpture, Reconstruction& out) {
+/// Renumbers a surface over vertex ids to the order of the input and fills in the rest. Returns the
+/// new number of each vertex; those of hidden ones follow.
+std::vector<std::uint32_t> write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
+                                      const TetComplex& complex, const Sculpture& sculpture,
+                                      Reconstruction& out) {
   std::vector<std::uint32_t> index(distinct.points.size(), 0);
   for (const VertexId v : sculpture.hidden) {
     index[+v] = Reconstruction::kHidden;
@@ -94,6 +116,30 @@ void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
   for (const auto& [a, b, c] : triangles) {
     out.mesh.triangles.push_back({index[+a], index[+b], index[+c]});
   }
+  for (std::size_t k = 0; k < out.hidden.size(); ++k) {
+    const VertexId v = distinct.vertex_of_input[out.hidden[k]];
+    index[+v] = static_cast<std::uint32_t>(out.mesh.points.size() + k);
+  }
+  return index;
+}
+
+/// Fills in what is asked for besides the surface.
+void keep(std::span<const Point3> input, const TetComplex& complex, const Graphs& graphs,
+          const Flags& solid, std::span<const std::uint32_t> index, const Keep& kept,
+          Reconstruction& out) {
+  std::vector<Point3> points = out.mesh.points;
+  for (const std::size_t i : out.hidden) points.push_back(input[i]);
+  if (kept.graphs) {
+    out.graphs.points = points;
+    out.graphs.emst = kept_edges(complex, graphs.held_back.emst_edges, index);
+    out.graphs.gabriel = kept_edges(complex, graphs.gabriel, index);
+    out.graphs.egh =
+        kept_hypergraph(complex, graphs.egh_edges, graphs.held_back.egh_triangles, index);
+  }
+  if (kept.tetrahedra) {
+    out.tetrahedra = kept_tetrahedra(complex, solid, index);
+    out.tetrahedra.points = std::move(points);
+  }
 }
 
 }  // namespace
@@ -112,13 +158,17 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
                                      : static_cast<Span>(first_simplex(distinct.points).size);
   if (out.span != Span::kSolid) return out;
 
-  stage_progress(options, "graphs");
-  const Constraints held_back = constraints(distinct.points, complex, options, out.counts);
+  Graphs known = graphs(distinct.points, complex, options);
+  count_graphs(known, out.counts);
+  if (!options.keep.graphs) known.gabriel = known.egh_edges = Flags();
   out.seconds.graphs = watch.lap();
 
-  const Sculpture sculpture = sculpt(distinct.points, complex, held_back, options);
+  const Sculpture sculpture = sculpt(distinct.points, complex, known, options);
   out.counts.holes = sculpture.holes.size();
-  write_mesh(points, distinct, complex, sculpture, out);
+  const auto index = write_mesh(points, distinct, complex, sculpture, out);
+  if (options.keep.graphs || options.keep.tetrahedra) {
+    keep(points, complex, known, sculpture.solid, index, options.keep, out);
+  }
   out.seconds.sculpt = watch.lap();
   return out;
 }

@@ -9,6 +9,8 @@
 
 #include "kernel/distinct_points.h"
 #include "kernel/point.h"
+#include "kernel/point_graph.h"
+#include "kernel/tet_mesh.h"
 #include "kernel/triangle_mesh.h"
 #include "sculpt/priority.h"
 
@@ -20,14 +22,22 @@ enum class Method {
   kPaper,   ///< as in Attene, Spagnuolo 2000; see sculpt/sculpt_paper.h
 };
 
+/// What to hand out besides the surface. Costs nothing unless asked for.
+struct Keep {
+  bool graphs = false;
+  bool tetrahedra = false;
+};
+
 struct ReconstructOptions {
   Method method = Method::kGuided;
   /// Order of removal of the paper's method.
   Criterion criterion = Criterion::kConstrained;
   /// Most threads to use, at least 1. The result does not depend on it.
   int threads = 1;
-  /// Told now and then the stage under way ("delaunay", "graphs", "sculpt") and the share of it
-  /// that is done, from 0 to 1.
+  Keep keep = {};
+  /// Told now and then, on the caller's thread, the stage under way ("delaunay", "graphs",
+  /// "sculpt") and the share of it that is done, from 0 to 1. May throw: that cancels, and the
+  /// exception passes through.
   std::function<void(std::string_view stage, double done)> progress = {};
 };
 
@@ -44,6 +54,17 @@ struct Reconstruction {
   static constexpr std::uint32_t kHidden = 0xffffffffu;
   /// First input index of each distinct point that could not be brought to the surface, ascending.
   std::vector<std::size_t> hidden;
+
+  /// The paper's graphs over mesh.points and, behind them, the hidden points in the order of
+  /// `hidden`. Empty unless ReconstructOptions::keep asks for them.
+  struct Graphs {
+    std::vector<Point3> points;
+    PointGraph emst;
+    PointGraph gabriel;
+    PointGraph egh;  ///< with triangles
+  } graphs;
+  /// The Delaunay tetrahedra, over the same points. Empty unless asked for.
+  TetMesh tetrahedra;
 
   /// Sizes of what was computed on the way.
   struct Counts {

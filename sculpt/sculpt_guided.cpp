@@ -24,6 +24,9 @@ namespace {
 /// Up to one hidden vertex in so many is brought out without new labels, if single flips do it.
 constexpr std::size_t kManyPerFewHidden = 1024;
 
+/// Of the work, where labels alone are no surface; it is all of it where they are.
+constexpr double kUntilMended = 0.4;
+
 bool any(const Flags& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
 
 /// True if the cut's labels are a surface through all vertices as they stand or after a few single
@@ -48,13 +51,16 @@ Knowledge gather(std::span<const Point3> points, const TetComplex& complex,
                  const std::function<void(double)>& progress) {
   Knowledge known;
   const LargeArray<PolePair> pairs = poles(points, complex, spheres);
+  progress(0.1);
   LargeArray<float> overlap = overlaps(complex, spheres);
-  progress(0.3);
+  progress(0.15);
   known.graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  progress(0.2);
   known.alone = contradicted_tets(complex, known.graph, pairs);
   if (any(known.alone)) known.graph = label_graph(complex, overlap, known.alone);
+  progress(0.25);
   const LargeArray<Side> guess = first_guess(known.graph, pairs);
-  progress(0.5);
+  progress(0.3);
   known.evidence = weigh_evidence(points, complex, spheres, pairs, known.graph, guess,
                                   std::move(overlap), egh_triangles);
   return known;
@@ -68,12 +74,14 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
     if (options.progress) options.progress(done);
   };
   const Circumspheres spheres(points, complex);
+  progress(0.05);
   Knowledge known = gather(points, complex, spheres, egh_triangles, progress);
-  progress(0.7);
+  progress(0.35);
   CutLabels cut = cut_labels(complex, known.graph, known.evidence);
-  progress(0.9);
+  progress(kUntilMended);
   if (is_surface(cut, complex, spheres)) return {.solid = std::move(cut.inside)};
-  return mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone));
+  return mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone),
+                        [&](double done) { progress(kUntilMended + (1 - kUntilMended) * done); });
 }
 
 }  // namespace tetsculpt

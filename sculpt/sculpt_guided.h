@@ -13,7 +13,8 @@
 namespace tetsculpt {
 
 struct GuidedOptions {
-  /// Told now and then which share of the work is done, from 0 to 1.
+  /// Told now and then which share of the work is done, from 0 to 1. May throw: that cancels, and
+  /// the exception passes through.
   std::function<void(double)> progress = {};
 };
 

@@ -18,7 +18,8 @@ struct PaperOptions {
   /// When the constrained loop ends. The paper stops it once every vertex is on the boundary, which
   /// leaves concavities filled where the sampling is fine; see the source.
   enum class Stop { kHeapEmpty, kAllExposed } stop = Stop::kHeapEmpty;
-  /// Told now and then which share of the vertices is on the boundary, from 0 to 1.
+  /// Told now and then which share of the vertices is on the boundary, from 0 to 1. May throw: that
+  /// cancels, and the exception passes through.
   std::function<void(double)> progress = {};
 };
 

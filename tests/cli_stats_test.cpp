@@ -38,13 +38,13 @@ TEST_CASE("exactly the documented members, on one line") {
   std::set<std::string> names;
   for (const auto& [name, value] : JsonReader(run.out).read()) names.insert(name);
   CHECK(names == std::set<std::string>{
-                     "points",           "skipped",        "duplicates",     "vertices",
-                     "tetrahedra",       "emst_edges",     "gabriel_edges",  "egh_edges",
-                     "egh_triangles",    "triangles",      "components",     "genus",
-                     "closed",           "manifold",       "hidden",         "method",
-                     "criterion",        "threads",        "seconds",        "seconds.read",
-                     "seconds.delaunay", "seconds.graphs", "seconds.sculpt", "seconds.write",
-                     "seconds.total"});
+                     "version",        "holes",         "points",           "skipped",
+                     "duplicates",     "vertices",      "tetrahedra",       "emst_edges",
+                     "gabriel_edges",  "egh_edges",     "egh_triangles",    "triangles",
+                     "components",     "genus",         "closed",           "manifold",
+                     "hidden",         "method",        "criterion",        "threads",
+                     "seconds",        "seconds.read",  "seconds.delaunay", "seconds.graphs",
+                     "seconds.sculpt", "seconds.write", "seconds.total"});
 }
 
 TEST_CASE("the numbers are those of the surface") {

@@ -16,7 +16,9 @@ foreach(
   priority_corner_order_test
   priority_definition_test
   prism_brute_force_test
+  reconstruct_cancel_test
   reconstruct_input_points_test
+  reconstruct_kept_test
   reconstruct_order_test
   reconstruct_progress_test
   reconstruct_small_sets_test

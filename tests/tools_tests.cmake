@@ -7,7 +7,7 @@ add_test(NAME check_layers_test
                  ${CMAKE_CURRENT_SOURCE_DIR}/check_layers_test.cmake)
 
 if(TARGET tetsculpt_cli)
-  add_library(tetsculpt_cli_support STATIC support/sculpt_cli.cpp)
+  add_library(tetsculpt_cli_support STATIC support/sculpt_child.cpp support/sculpt_cli.cpp)
   target_link_libraries(tetsculpt_cli_support PUBLIC tetsculpt_io tetsculpt_sculpt_support)
   target_compile_definitions(
     tetsculpt_cli_support PUBLIC TETSCULPT_CLI="$<TARGET_FILE:tetsculpt_cli>"
@@ -15,11 +15,19 @@ if(TARGET tetsculpt_cli)
   add_dependencies(tetsculpt_cli_support tetsculpt_cli)
   foreach(
     name
+    cli_completion_test
+    cli_dry_run_test
     cli_exit_status_test
+    cli_graphs_test
+    cli_interrupt_test
+    cli_manual_test
     cli_normals_test
+    cli_options_test
     cli_output_files_test
     cli_picture_test
+    cli_progress_test
     cli_scan_test
+    cli_stats_file_test
     cli_stats_test
     cli_usage_test
     cli_vertex_attributes_test)

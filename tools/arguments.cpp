@@ -1,78 +1,61 @@
 #include "tools/arguments.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "io/extension.h"
-#include "io/parse_number.h"
-#include "io/write_mesh.h"
+#include "tools/options.h"
+#include "tools/suggestion.h"
 
 namespace tetsculpt::cli {
 namespace {
 
-template <class Value>
-using Named = std::pair<std::string_view, Value>;
-
-constexpr std::array<Named<Method>, 2> kMethods{
-    {{"guided", Method::kGuided}, {"paper", Method::kPaper}}};
-constexpr std::array<Named<Criterion>, 4> kCriteria{{{"area", Criterion::kMinimalArea},
-                                                     {"gamma", Criterion::kGamma},
-                                                     {"longest", Criterion::kLongestEdge},
-                                                     {"constrained", Criterion::kConstrained}}};
-constexpr std::array<Named<UpAxis>, 3> kAxes{
-    {{"x", UpAxis::kX}, {"y", UpAxis::kY}, {"z", UpAxis::kZ}}};
-
-template <class Value, std::size_t N>
-Value value_of(std::string_view option, std::string_view word,
-               const std::array<Named<Value>, N>& names) {
-  std::string choices;
-  for (const auto& [known, value] : names) {
-    if (word == known) return value;
-    choices += (choices.empty() ? "" : ", ") + std::string(known);
+/// The names with something before each, joined; "a, b or c" if the last is to stand out.
+std::string joined(const std::vector<std::string>& words, std::string_view last = ", ") {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (k > 0) text += k + 1 == words.size() ? last : std::string_view(", ");
+    text += words[k];
   }
-  throw UsageError(std::string(option) + ": '" + std::string(word) + "' is none of " + choices);
+  return text;
 }
 
-template <class Value, std::size_t N>
-std::string name_of(Value value, const std::array<Named<Value>, N>& names) {
-  const auto it =
-      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == value; });
-  return std::string(it->first);
+std::vector<std::string> extensions(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t end = std::min(list.find(' ', at), list.size());
+    words.push_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
 }
 
-int threads_of(std::string_view word) {
-  int threads = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), threads);
-  if (error != std::errc() || end != word.data() + word.size() || threads < 1 || threads > 1024) {
-    throw UsageError("--threads: '" + std::string(word) + "' is not a number from 1 to 1024");
+const Option* option_named(std::string_view name) {
+  for (const Option& option : options()) {
+    if (option.name == name) return &option;
   }
-  return threads;
+  return nullptr;
 }
 
-/// Sets the two angles of `view`.
-void take_angles(std::string_view word, View& view) {
-  const std::size_t comma = word.find(',');
-  const auto number = [](std::string_view text) {
-    const ParsedNumber<double> parsed = parse_number<double>(text);
-    const bool whole =
-        parsed.fault == NumberFault::kNone && parsed.end == text.data() + text.size();
-    return whole && std::isfinite(parsed.value) ? std::optional(parsed.value) : std::nullopt;
-  };
-  const auto azimuth = number(word.substr(0, comma));
-  const auto elevation =
-      comma == std::string_view::npos ? std::nullopt : number(word.substr(comma + 1));
-  if (!azimuth || !elevation || std::abs(*elevation) > 90) {
-    throw UsageError("--view: '" + std::string(word) +
-                     "' is not AZIMUTH,ELEVATION in degrees, the elevation from -90 to 90");
+const Option* option_lettered(char letter) {
+  for (const Option& option : options()) {
+    if (option.letter != 0 && option.letter == letter) return &option;
   }
-  view.azimuth = *azimuth;
-  view.elevation = *elevation;
+  return nullptr;
+}
+
+/// `word` as it was given; `name` without its dashes.
+[[noreturn]] void unknown_option(std::string_view word, std::string_view name) {
+  std::vector<std::string> names;
+  for (const Option& option : options()) {
+    if (option.group != OptionGroup::kHidden) names.push_back("--" + std::string(option.name));
+  }
+  throw UsageError("unknown option '" + std::string(word) + "'" +
+                   did_you_mean("--" + std::string(name), names));
 }
 
 /// One pass over the words.
@@ -82,156 +65,145 @@ class Parser {
 
   Arguments run() {
     out_.options.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+    bool options_ended = false;
     while (next_ < words_.size() && out_.action == Action::kReconstruct) {
       const std::string_view word = words_[next_++];
-      if (options_ended_ || word.size() < 2 || word[0] != '-') {
-        take_file(word);
+      if (options_ended || word.size() < 2 || word[0] != '-') {
+        files_.push_back(word);
+      } else if (word == "--") {
+        options_ended = true;
+      } else if (word[1] == '-') {
+        take_long(word);
       } else {
-        take_option(word);
+        take_letters(word);
       }
     }
-    if (out_.action == Action::kReconstruct) check_files();
+    if (out_.action == Action::kReconstruct) {
+      place_files();
+      out_.options.keep = {.graphs = !out_.graphs.empty(), .tetrahedra = !out_.tetrahedra.empty()};
+    }
     return std::move(out_);
   }
 
  private:
-  void take_file(std::string_view word) {
-    if (files_ == 2) throw UsageError("unexpected word '" + std::string(word) + "'");
-    (files_++ == 0 ? out_.input : out_.output) = word;
-  }
-
-  void take_option(std::string_view word) {
-    const std::size_t equals = word.find('=');
-    const std::string_view option = word.substr(0, equals);
-    if (equals != std::string_view::npos) attached_ = word.substr(equals + 1);
-    if (option == "--") {
-      options_ended_ = true;
-    } else if (option == "--help" || option == "-h") {
-      out_.action = Action::kHelp;
-    } else if (option == "--version") {
-      out_.action = Action::kVersion;
-    } else if (option == "--quiet" || option == "-q") {
-      out_.quiet = true;
-    } else if (option == "--stats") {
-      out_.stats = true;
-    } else if (option == "--skip-invalid") {
-      out_.skip_invalid = true;
-    } else if (option == "--no-attributes") {
-      out_.attributes = false;
-    } else if (option == "--normals") {
-      out_.normals = true;
-    } else if (option == "--ascii") {
-      out_.ply_encoding = PlyEncoding::kAscii;
-    } else if (option == "--method") {
-      out_.options.method = value_of(option, value(option), kMethods);
-    } else if (option == "--criterion") {
-      out_.options.criterion = value_of(option, value(option), kCriteria);
-    } else if (option == "--threads") {
-      out_.options.threads = threads_of(value(option));
-    } else if (option == "--picture") {
-      out_.picture = value(option);
-      if (out_.picture.empty()) throw UsageError("--picture needs a file");
-    } else if (option == "--view") {
-      take_angles(value(option), out_.view);
-      view_option_ = option;
-    } else if (option == "--up") {
-      out_.view.up = value_of(option, value(option), kAxes);
-      view_option_ = option;
-    } else {
-      throw UsageError("unknown option '" + std::string(option) + "'");
+  /// --name, --name=value, --name value.
+  void take_long(std::string_view word) {
+    const std::string_view given = word.substr(0, word.find('='));
+    const Option* option = option_named(given.substr(2));
+    if (option == nullptr) unknown_option(given, given.substr(2));
+    const bool attached = given.size() < word.size();
+    if (option->takes == Takes::kNothing && attached) {
+      throw UsageError(std::string(given) + " takes no value");
     }
-    if (attached_) throw UsageError(std::string(option) + " takes no value");
+    if (attached) {
+      const std::string_view value = word.substr(given.size() + 1);
+      if (option->takes == Takes::kOptionalValue && value.empty()) {
+        throw UsageError(std::string(given) + "= needs a file");
+      }
+      note(*option, given, value);
+    } else {
+      note(*option, given, option->takes == Takes::kValue ? next_word(given) : "");
+    }
   }
 
-  std::string_view value(std::string_view option) {
-    if (attached_) return *std::exchange(attached_, std::nullopt);
-    if (next_ == words_.size()) throw UsageError(std::string(option) + " needs a value");
+  /// -q, -qv, -o value, -ovalue.
+  void take_letters(std::string_view word) {
+    const std::string_view before_value = word.substr(0, word.find('='));
+    if (option_named(before_value.substr(1)) != nullptr) {  // -output
+      unknown_option(before_value, before_value.substr(1));
+    }
+    for (std::size_t k = 1; k < word.size(); ++k) {
+      const Option* option = option_lettered(word[k]);
+      if (option == nullptr) unknown_option(before_value, before_value.substr(1));
+      const std::string given{'-', word[k]};
+      if (option->takes == Takes::kValue) {
+        return note(*option, given, k + 1 < word.size() ? word.substr(k + 1) : next_word(given));
+      }
+      note(*option, given, "");
+    }
+  }
+
+  std::string_view next_word(std::string_view given) {
+    if (next_ == words_.size()) throw UsageError(std::string(given) + " needs a value");
     return words_[next_++];
   }
 
-  void check_files() const {
-    if (files_ < 2) {
-      throw UsageError(files_ == 0 ? "no input file given" : "no output file given");
+  void note(const Option& option, std::string_view given, std::string_view value) {
+    if (option.values != nullptr) {
+      const std::vector<std::string> known = option.values();
+      if (std::ranges::find(known, value) == known.end()) {
+        throw UsageError(std::string(given) + ": '" + std::string(value) + "' is none of " +
+                         joined(known) + did_you_mean(value, known));
+      }
     }
-    if (!writable_mesh_extension(out_.output)) {
-      throw UsageError(out_.output.string() + ": unknown kind of output file; use one of " +
-                       mesh_format_extensions());
-    }
-    if (out_.ply_encoding == PlyEncoding::kAscii &&
-        mesh_format_of(out_.output) != MeshFormat::kPly) {
-      throw UsageError("--ascii is for .ply files; " + out_.output.string() + " is none");
-    }
-    if (!out_.picture.empty() && lowercase_extension(out_.picture) != ".png") {
-      throw UsageError(out_.picture.string() + ": unknown kind of picture; use .png");
-    }
-    if (out_.picture.empty() && !view_option_.empty()) {
-      throw UsageError(std::string(view_option_) + " without --picture");
+    option.note(out_, value);
+  }
+
+  /// Words without dashes are the input and the output, where no option gave them.
+  void place_files() {
+    for (const std::string_view file : files_) {
+      if (out_.input.empty()) {
+        out_.input = file;
+      } else if (out_.output.empty()) {
+        out_.output = file;
+      } else {
+        throw UsageError("unexpected word '" + std::string(file) + "'");
+      }
     }
   }
 
   std::span<const char* const> words_;
   std::size_t next_ = 0;
-  int files_ = 0;
-  bool options_ended_ = false;
-  std::optional<std::string_view> attached_;
-  std::string_view view_option_;  // the last one that says how the picture is taken
+  std::vector<std::string_view> files_;
   Arguments out_;
 };
 
+/// Throws UsageError unless the file's extension is one of these.
+void check_extension(const std::filesystem::path& file, std::string_view kind,
+                     const std::vector<std::string>& known) {
+  const std::string extension = lowercase_extension(file);
+  if (std::ranges::find(known, extension) != known.end()) return;
+  throw UsageError(file.string() + ": unknown kind of " + std::string(kind) + "; use " +
+                   joined(known, " or ") +
+                   (extension.empty() ? "" : did_you_mean(extension, known)));
+}
+
+void check_output(const Arguments& a) {
+  if (a.writes_standard_output()) {
+    if (!a.output_format) throw UsageError("standard output needs --output-format");
+    if (a.stats && a.stats_file.empty()) {
+      throw UsageError("standard output takes the surface or the statistics; use --stats=FILE");
+    }
+  } else if (!a.output_format) {
+    check_extension(a.output, "output file", extensions(mesh_format_extensions()));
+  }
+  if (a.ply_encoding == PlyEncoding::kAscii &&
+      a.output_format.value_or(mesh_format_of(a.output).value_or(MeshFormat::kPly)) !=
+          MeshFormat::kPly) {
+    throw UsageError("--ascii is for .ply files; " + a.output.string() + " is none");
+  }
+  if (!a.picture.empty()) check_extension(a.picture, "picture", {".png"});
+  if (!a.tetrahedra.empty()) check_extension(a.tetrahedra, "tetrahedra file", {".vtk", ".mesh"});
+}
+
+void check(const Arguments& a) {
+  if (a.input.empty()) throw UsageError("no input file given");
+  if (a.output.empty() && !a.dry_run) throw UsageError("no output file given");
+  if (a.picture.empty() && a.view_given) throw UsageError("--view and --up need --picture");
+  if (a.quiet && (a.verbose || a.progress)) {
+    throw UsageError("--quiet and " + std::string(a.verbose ? "--verbose" : "--progress") +
+                     " contradict each other");
+  }
+  if (a.dry_run && a.stats) throw UsageError("--stats with --dry-run, which computes nothing");
+  if (!a.output.empty()) check_output(a);
+}
+
 }  // namespace
 
-Arguments parse_arguments(std::span<const char* const> words) { return Parser(words).run(); }
-
-std::string name(Method method) { return name_of(method, kMethods); }
-std::string name(Criterion criterion) { return name_of(criterion, kCriteria); }
-
-std::string help() {
-  return R"(Usage: tetsculpt [OPTIONS] POINTS SURFACE
-
-Turns unorganised points in space into a closed manifold triangle surface
-through every one of them. It needs positions only: no normals, no parameter.
-
-  POINTS    .xyz .txt .csv .pts .asc (x y z per line, further columns ignored),
-            .ply, or the vertices of an .obj or .off file
-  SURFACE   .ply .obj .off .stl .wrl .gltf .glb .vtk; a point's colours, normals
-            and other attributes go along where the format can hold them
-
-Options:
-  --method NAME      how to sculpt: guided by evidence for inside and outside
-                     (the default), or paper (Attene, Spagnuolo 2000)
-  --criterion NAME   with --method paper, which tetrahedron goes first:
-                     constrained (the paper's own, the default), longest,
-                     area, gamma
-  --skip-invalid     drop points with a NaN or infinite coordinate and say how
-                     many; without this they are an error
-  --no-attributes    write positions only
-  --normals          write the normals of the surface at its vertices, too
-  --ascii            write a .ply file as text
-  --threads N        use at most N threads (default: all cores); the surface
-                     does not depend on it
-  --picture FILE     draw the surface, too, into a .png file; what is seen of it
-                     from inside is red
-  --view AZ,EL       from where, in degrees: AZ around the upright axis, EL above
-                     (default: 30,20)
-  --up AXIS          which axis is upright in the picture: x, y, z (the default)
-  --stats            print what was computed as one JSON object on stdout
-  -q, --quiet        no progress and no summary
-  -h, --help         this text
-  --version          the version
-
-Examples:
-  tetsculpt scan.xyz surface.ply
-  tetsculpt --picture kitten.png --up y kitten.xyz kitten.ply
-  tetsculpt --stats slices.csv organ.stl > organ.json
-
-Exit status:
-  0  done
-  1  wrong usage
-  2  bad input: unreadable, broken, or with an invalid point
-  3  the points span no solid: fewer than 4, all on a line, or all in a plane
-  4  done, but the points named on stderr could not be brought to the surface
-  5  the output could not be written
-)";
+Arguments parse_arguments(std::span<const char* const> words) {
+  Arguments arguments = Parser(words).run();
+  if (arguments.action == Action::kReconstruct) check(arguments);
+  return arguments;
 }
 
 }  // namespace tetsculpt::cli

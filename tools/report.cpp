@@ -1,8 +1,11 @@
 #include "tools/report.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <string_view>
+
+#include "tools/options.h"
+#include "tools/version.h"
 
 namespace tetsculpt::cli {
 namespace {
@@ -37,10 +40,77 @@ std::size_t merged(const Reconstruction& result, const RunFacts& facts) {
 }
 
 std::string counted(std::size_t n, std::string_view noun) {
-  return std::to_string(n) + ' ' + std::string(noun) + (n == 1 ? "" : "s");
+  if (n != 1 && noun == "tetrahedron") noun = "tetrahedra";
+  const bool plain = noun.ends_with('a');
+  return std::to_string(n) + ' ' + std::string(noun) + (n == 1 || plain ? "" : "s");
+}
+
+constexpr std::array<StatsMember, 21> kStatsMembers{{
+    {"version", "string", "of the program"},
+    {"points", "integer", "points read, invalid ones included"},
+    {"skipped", "integer", "invalid points dropped by --skip-invalid"},
+    {"duplicates", "integer", "points equal to an earlier one, merged with it"},
+    {"vertices", "integer", "distinct points"},
+    {"tetrahedra", "integer", "of the Delaunay tetrahedralization"},
+    {"emst_edges", "integer", "of the Euclidean minimum spanning tree"},
+    {"gabriel_edges", "integer", "of the Gabriel graph"},
+    {"egh_edges", "integer", "of the extended Gabriel hypergraph"},
+    {"egh_triangles", "integer", "likewise"},
+    {"triangles", "integer", "of the surface"},
+    {"components", "integer", "connected pieces of the surface"},
+    {"genus", "integer", "handles, summed over the pieces"},
+    {"closed", "boolean", "every edge of the surface has two triangles"},
+    {"manifold", "boolean", "around every edge and vertex it is one sheet"},
+    {"hidden", "integer", "distinct points that could not be brought to the surface"},
+    {"method", "string", "guided or paper"},
+    {"criterion", "string", "as given, or constrained"},
+    {"threads", "integer", "the most that were used"},
+    {"holes", "integer", "pseudo-prisms removed (--method paper)"},
+    {"seconds", "object",
+     "wall-clock seconds, numbers: read, delaunay, graphs, sculpt, write, total"},
+}};
+
+std::string in_seconds(double seconds) {
+  char digits[32];
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, seconds, std::chars_format::fixed, 3);
+  return " (" + std::string(digits, end.ptr) + " s)";
+}
+
+std::string shown(const std::filesystem::path& file, std::string_view stream) {
+  return file == "-" ? std::string(stream) : file.string();
 }
 
 }  // namespace
+
+std::span<const StatsMember> stats_members() { return kStatsMembers; }
+
+std::string stage_lines(const Arguments& arguments, const Reconstruction& result,
+                        const RunFacts& facts) {
+  const auto& counts = result.counts;
+  std::string lines;
+  const auto add = [&](std::string_view stage, const std::string& what, double seconds) {
+    lines.append("tetsculpt: ").append(stage).append(": ").append(what);
+    lines += in_seconds(seconds) + '\n';
+  };
+  add("read", counted(facts.points, "point") + " from " + shown(arguments.input, "standard input"),
+      facts.seconds_read);
+  add("delaunay",
+      counted(counts.vertices, "distinct point") + ", " + counted(counts.tetrahedra, "tetrahedron"),
+      result.seconds.delaunay);
+  add("graphs",
+      counted(counts.gabriel_edges, "Gabriel edge") + "; EGH with " +
+          counted(counts.egh_edges, "edge") + " and " + counted(counts.egh_triangles, "triangle"),
+      result.seconds.graphs);
+  add("sculpt",
+      counted(result.mesh.triangles.size(), "triangle") + " by the " +
+          name(arguments.options.method) + " method",
+      result.seconds.sculpt);
+  add("write", shown(arguments.output, "standard output"), facts.seconds_write);
+  add("all", counted(static_cast<std::size_t>(arguments.options.threads), "thread") + " at most",
+      facts.seconds_total);
+  return lines;
+}
 
 std::string stats_json(const Arguments& arguments, const Reconstruction& result,
                        const RunFacts& facts) {
@@ -52,6 +122,7 @@ std::string stats_json(const Arguments& arguments, const Reconstruction& result,
   seconds.add("write", facts.seconds_write);
   seconds.add("total", facts.seconds_total);
   JsonObject stats;
+  stats.add("version", std::string(kVersion));
   stats.add("points", facts.points);
   stats.add("skipped", facts.skipped);
   stats.add("duplicates", merged(result, facts));
@@ -70,6 +141,7 @@ std::string stats_json(const Arguments& arguments, const Reconstruction& result,
   stats.add("method", name(arguments.options.method));
   stats.add("criterion", name(arguments.options.criterion));
   stats.add("threads", static_cast<std::size_t>(arguments.options.threads));
+  stats.add("holes", result.counts.holes);
   stats.add("seconds", seconds);
   return stats.text();
 }
@@ -77,7 +149,7 @@ std::string stats_json(const Arguments& arguments, const Reconstruction& result,
 std::string summary(const Arguments& arguments, const Reconstruction& result,
                     const RunFacts& facts) {
   const Topology& t = facts.topology;
-  std::string line = arguments.output.string() + ": " +
+  std::string line = shown(arguments.output, "standard output") + ": " +
                      counted(result.mesh.triangles.size(), "triangle") + " through " +
                      counted(result.mesh.points.size(), "point");
   if (merged(result, facts) > 0)

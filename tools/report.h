@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "kernel/triangle_mesh.h"
 #include "sculpt/reconstruct.h"
@@ -20,9 +22,21 @@ struct RunFacts {
   double seconds_total = 0;
 };
 
-/// One JSON object on one line. README documents its members.
+/// What the JSON object holds, in its order, for the manual.
+struct StatsMember {
+  std::string_view name;
+  std::string_view type;
+  std::string_view meaning;
+};
+std::span<const StatsMember> stats_members();
+
+/// One JSON object on one line, with these members.
 std::string stats_json(const Arguments& arguments, const Reconstruction& result,
                        const RunFacts& facts);
+
+/// What each stage did and how long it took, a line each.
+std::string stage_lines(const Arguments& arguments, const Reconstruction& result,
+                        const RunFacts& facts);
 
 /// One line for people: what came out, and where it is.
 std::string summary(const Arguments& arguments, const Reconstruction& result,

@@ -55,11 +55,15 @@ std::vector<std::string> write_surface(const Arguments& arguments, const PointFi
     attributes = vertex_attributes(file.attributes, result, index_in_file);
   }
   if (arguments.normals) replace_normals(result.mesh, attributes, lines);
-  const WriteReport report = write_mesh(result.mesh, arguments.output,
-                                        {.precision = file.precision,
-                                         .ply_encoding = arguments.ply_encoding,
-                                         .attributes = attributes});
-  const std::string name = arguments.output.string();
+  const WriteMeshOptions options{.format = arguments.output_format,
+                                 .precision = file.precision,
+                                 .ply_encoding = arguments.ply_encoding,
+                                 .attributes = attributes};
+  const bool to_standard_output = arguments.writes_standard_output();
+  const WriteReport report = to_standard_output
+                                 ? write_mesh_to_standard_output(result.mesh, options)
+                                 : write_mesh(result.mesh, arguments.output, options);
+  const std::string name = to_standard_output ? "standard output" : arguments.output.string();
   add_line(lines, name + ": rounded to 32-bit floats:", report.rounded);
   add_line(lines, name + ": not in this format:", report.dropped);
   return lines;

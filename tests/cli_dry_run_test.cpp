@@ -1,0 +1,60 @@
+// --dry-run reads, checks and says what there is, ends as a whole run would, and writes nothing.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/sculpt_cli.h"
+
+namespace tetsculpt {
+namespace {
+
+using testing::Run;
+using testing::TempDir;
+
+constexpr const char* kPoints = "0 0 0\n1 0 0\n0 -2.5 0\n1 0 0\n0 0 1e10\n";
+
+TEST_CASE("count, duplicates, invalid ones and the box") {
+  const TempDir dir;
+  dir.file("a.xyz", std::string(kPoints) + "nan 1 1\n");
+  const std::vector<std::vector<std::string>> lines{{"--dry-run", "--skip-invalid", "a.xyz"},
+                                                    {"-n", "--skip-invalid", "a.xyz", "b.ply"}};
+  for (const auto& words : lines) {
+    const Run run = testing::run(dir, words);
+    CHECK(run.status == 0);
+    CHECK(run.err.empty());
+    CHECK(run.out ==
+          "a.xyz: 6 points\n"
+          "  4 distinct, 1 duplicates, 1 invalid\n"
+          "  x from 0 to 1\n  y from -2.5 to 0\n  z from 0 to 1e+10\n");
+  }
+  CHECK(testing::names_in(dir) == std::vector<std::string>{"a.xyz"});
+}
+
+TEST_CASE("the statuses and messages of a whole run") {
+  const TempDir dir;
+  dir.file("nan.xyz", std::string(kPoints) + "nan 1 1\n");
+  dir.file("plane.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  dir.file("empty.xyz", "");
+  dir.file("broken.xyz", "0 0\n");
+  for (const std::string name : {"nan.xyz", "plane.xyz", "empty.xyz", "broken.xyz", "none.xyz"}) {
+    INFO(name);
+    const Run dry = testing::run(dir, {"--dry-run", name});
+    const Run whole = testing::run(dir, {name, "b.ply"});
+    CHECK(dry.status == whole.status);
+    CHECK(dry.status != 0);
+    CHECK(dry.err == whole.err);
+  }
+}
+
+TEST_CASE("quiet: the status alone") {
+  const TempDir dir;
+  dir.file("a.xyz", kPoints);
+  const Run run = testing::run(dir, {"-nq", "a.xyz"});
+  CHECK(run.status == 0);
+  CHECK(run.out.empty());
+  CHECK(run.err.empty());
+}
+
+}  // namespace
+}  // namespace tetsculpt

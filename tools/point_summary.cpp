@@ -1,0 +1,45 @@
+#include "tools/point_summary.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "kernel/distinct_points.h"
+#include "kernel/first_simplex.h"
+
+namespace tetsculpt::cli {
+namespace {
+
+std::string shortest(double value) {
+  char digits[64];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+}  // namespace
+
+PointSummary summary_of(std::span<const Point3> points) {
+  const DistinctPoints distinct = distinct_points(points);
+  PointSummary out{.count = points.size(), .distinct = distinct.points.size()};
+  out.span = static_cast<Span>(first_simplex(distinct.points).size);
+  if (points.empty()) return out;
+  out.low = out.high = points.front();
+  for (const Point3& p : points) {
+    out.low = {std::min(out.low.x, p.x), std::min(out.low.y, p.y), std::min(out.low.z, p.z)};
+    out.high = {std::max(out.high.x, p.x), std::max(out.high.y, p.y), std::max(out.high.z, p.z)};
+  }
+  return out;
+}
+
+std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped) {
+  const Point3& low = points.low;
+  const Point3& high = points.high;
+  const auto axis = [](const char* name, double from, double to) {
+    return std::string("  ") + name + " from " + shortest(from) + " to " + shortest(to) + '\n';
+  };
+  return file + ": " + std::to_string(points.count + skipped) + " points\n  " +
+         std::to_string(points.distinct) + " distinct, " +
+         std::to_string(points.count - points.distinct) + " duplicates, " +
+         std::to_string(skipped) + " invalid\n" + axis("x", low.x, high.x) +
+         axis("y", low.y, high.y) + axis("z", low.z, high.z);
+}
+
+}  // namespace tetsculpt::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "kernel/point.h"
+#include "sculpt/reconstruct.h"
+
+/// What --dry-run says of points.
+namespace tetsculpt::cli {
+
+struct PointSummary {
+  std::size_t count = 0;
+  std::size_t distinct = 0;
+  Span span = Span::kNothing;
+  /// Smallest and largest coordinates; both zero without points.
+  Point3 low{0, 0, 0};
+  Point3 high{0, 0, 0};
+};
+
+/// Throws InvalidPoint and std::length_error, as reconstruct does.
+PointSummary summary_of(std::span<const Point3> points);
+
+/// For people, some lines.
+std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped);
+
+}  // namespace tetsculpt::cli
