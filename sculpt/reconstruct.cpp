@@ -10,6 +10,7 @@
 #include "kernel/first_simplex.h"
 #include "kernel/gabriel.h"
 #include "kernel/large_array.h"
+#include "sculpt/record.h"
 #include "sculpt/sculpt_guided.h"
 #include "sculpt/sculpt_paper.h"
 
@@ -40,6 +41,10 @@ std::size_t count(const Flags& flags) {
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
 }
 
+bool tells_story(const ReconstructOptions& options) {
+  return options.record == ReconstructOptions::Record::kStory;
+}
+
 /// The graphs. Guided sculpting needs no edges of the EMST, only their number, which is known.
 Constraints constraints(std::span<const Point3> points, const TetComplex& complex,
                         const ReconstructOptions& options, Reconstruction::Counts& counts) {
@@ -50,7 +55,7 @@ Constraints constraints(std::span<const Point3> points, const TetComplex& comple
   counts.egh_edges = count(egh.edges);
   counts.egh_triangles = count(egh.triangles);
   Constraints result{std::move(egh.triangles), {}};
-  if (options.method == Method::kPaper) {
+  if (options.method == Method::kPaper || tells_story(options)) {
     result.emst_edges.assign(complex.edge_count(), 0);
     for (const EdgeId e : emst(complex, edges_by_length(points, complex, gabriel))) {
       result.emst_edges[+e] = 1;
@@ -63,7 +68,10 @@ Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex,
                  const Constraints& held_back, const ReconstructOptions& options) {
   const auto progress = stage_progress(options, "sculpt");
   if (options.method == Method::kGuided) {
-    return sculpt_guided(points, complex, held_back.egh_triangles, {.progress = progress});
+    using Keep = GuidedOptions::Keep;
+    return sculpt_guided(
+        points, complex, held_back.egh_triangles,
+        {.progress = progress, .keep = tells_story(options) ? Keep::kLabels : Keep::kSolid});
   }
   return sculpt_paper(points, complex, held_back,
                       {.criterion = options.criterion, .progress = progress});
@@ -95,6 +103,45 @@ void write_mesh(std::span<const Point3> input, const DistinctPoints& distinct,
   }
 }
 
+/// Per vertex, its index in a Reconstruction::Story.
+std::vector<std::uint32_t> story_indices(const DistinctPoints& distinct,
+                                         const Reconstruction& out) {
+  std::vector<std::uint32_t> index;
+  index.reserve(distinct.first_input.size());
+  for (const std::uint32_t i : distinct.first_input) {
+    const auto rank = std::lower_bound(out.hidden.begin(), out.hidden.end(), i);
+    const auto after_mesh =
+        out.mesh.points.size() + static_cast<std::size_t>(std::distance(out.hidden.begin(), rank));
+    index.push_back(out.vertex_of_input[i] == Reconstruction::kHidden
+                        ? static_cast<std::uint32_t>(after_mesh)
+                        : out.vertex_of_input[i]);
+  }
+  return index;
+}
+
+/// The record and the graphs, over the vertices of `out`.
+Reconstruction::Story story(const DistinctPoints& distinct, const TetComplex& complex,
+                            const Constraints& graphs, const Sculpture& sculpture,
+                            const Reconstruction& out) {
+  const std::vector<std::uint32_t> index = story_indices(distinct, out);
+  Reconstruction::Story told;
+  told.record = sculpting_record(complex, sculpting_steps(complex, sculpture));
+  for (auto& triangle : told.record.triangles) {
+    for (std::uint32_t& v : triangle) v = index[v];
+  }
+  for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
+    if (!graphs.emst_edges[e]) continue;
+    const auto& [a, b] = complex.vertices(EdgeId{e});
+    told.emst_edges.push_back({index[+a], index[+b]});
+  }
+  for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
+    if (!graphs.egh_triangles[t]) continue;
+    const auto& [a, b, c] = complex.vertices(TriangleId{t});
+    told.egh_triangles.push_back({index[+a], index[+b], index[+c]});
+  }
+  return told;
+}
+
 }  // namespace
 
 Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOptions& options) {
@@ -118,6 +165,7 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
   const Sculpture sculpture = sculpt(distinct.points, complex, held_back, options);
   out.counts.holes = sculpture.holes.size();
   write_mesh(points, distinct, complex, sculpture, out);
+  if (tells_story(options)) out.story = story(distinct, complex, held_back, sculpture, out);
   out.seconds.sculpt = watch.lap();
   return out;
 }

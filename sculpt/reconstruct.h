@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,7 @@
 
 #include "kernel/distinct_points.h"
 #include "kernel/point.h"
+#include "kernel/sculpting_record.h"
 #include "kernel/triangle_mesh.h"
 #include "sculpt/priority.h"
 
@@ -26,6 +28,8 @@ struct ReconstructOptions {
   Criterion criterion = Criterion::kConstrained;
   /// Most threads to use, at least 1. The result does not depend on it.
   int threads = 1;
+  /// What to record for those who want to see how the surface came about: Reconstruction::story.
+  enum class Record { kNothing, kStory } record = Record::kNothing;
   /// Told now and then the stage under way ("delaunay", "graphs", "sculpt") and the share of it
   /// that is done, from 0 to 1.
   std::function<void(std::string_view stage, double done)> progress = {};
@@ -44,6 +48,14 @@ struct Reconstruction {
   static constexpr std::uint32_t kHidden = 0xffffffffu;
   /// First input index of each distinct point that could not be brought to the surface, ascending.
   std::vector<std::size_t> hidden;
+
+  /// What the viewer shows beyond the surface; empty unless asked for. Vertices are indices into
+  /// mesh.points and, from its end on, into `hidden`.
+  struct Story {
+    SculptingRecord record;
+    std::vector<std::array<std::uint32_t, 2>> emst_edges;
+    std::vector<std::array<std::uint32_t, 3>> egh_triangles;
+  } story;
 
   /// Sizes of what was computed on the way.
   struct Counts {

@@ -72,8 +72,14 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   progress(0.7);
   CutLabels cut = cut_labels(complex, known.graph, known.evidence);
   progress(0.9);
-  if (is_surface(cut, complex, spheres)) return {.solid = std::move(cut.inside)};
-  return mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone));
+  Flags labels = options.keep == GuidedOptions::Keep::kLabels ? cut.inside : Flags();
+  if (is_surface(cut, complex, spheres)) {
+    return {.solid = std::move(cut.inside), .labels = std::move(labels)};
+  }
+  Sculpture mended =
+      mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone));
+  mended.labels = std::move(labels);
+  return mended;
 }
 
 }  // namespace tetsculpt

@@ -59,8 +59,8 @@ TEST_CASE("wrong usage") {
       {{"a.xyz", "b.ply", "--picture="}, "--picture needs a file"},
       {{"a.xyz", "b.ply", "--picture", "b.jpg"}, "b.jpg: unknown kind of picture; use .png"},
       {{"a.xyz", "b.ply", "--picture", "png"}, "png: unknown kind of picture; use .png"},
-      {{"a.xyz", "b.ply", "--view", "1,2"}, "--view without --picture"},
-      {{"a.xyz", "b.ply", "--up", "x"}, "--up without --picture"},
+      {{"a.xyz", "b.ply", "--view", "1,2"}, "--view without --picture or --viewer"},
+      {{"a.xyz", "b.ply", "--up", "x"}, "--up without --picture or --viewer"},
       {{"a.xyz", "b.ply", "--up", "w"}, "--up: 'w' is none of x, y, z"},
       {{"a.xyz", "b.png"},
        "b.png: unknown kind of output file; use .ply, .obj, .off, .stl or .wrl"}};

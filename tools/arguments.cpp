@@ -125,6 +125,10 @@ class Parser {
     } else if (option == "--picture") {
       out_.picture = value(option);
       if (out_.picture.empty()) throw UsageError("--picture needs a file");
+    } else if (option == "--viewer") {
+      out_.viewer = value(option);
+      if (out_.viewer.empty()) throw UsageError("--viewer needs a file");
+      out_.options.record = ReconstructOptions::Record::kStory;
     } else if (option == "--view") {
       take_angles(value(option), out_.view);
       view_option_ = option;
@@ -154,8 +158,11 @@ class Parser {
     if (!out_.picture.empty() && lowercase_extension(out_.picture) != ".png") {
       throw UsageError(out_.picture.string() + ": unknown kind of picture; use .png");
     }
-    if (out_.picture.empty() && !view_option_.empty()) {
-      throw UsageError(std::string(view_option_) + " without --picture");
+    if (!out_.viewer.empty() && lowercase_extension(out_.viewer) != ".html") {
+      throw UsageError(out_.viewer.string() + ": unknown kind of viewer; use .html");
+    }
+    if (out_.picture.empty() && out_.viewer.empty() && !view_option_.empty()) {
+      throw UsageError(std::string(view_option_) + " without --picture or --viewer");
     }
   }
 
@@ -197,9 +204,13 @@ Options:
                      does not depend on it
   --picture FILE     draw the surface, too, into a .png file; what is seen of it
                      from inside is red
+  --viewer FILE      write a page, too, that shows the surface in any browser: to
+                     be turned, with points, graphs and the steps that led to it
+                     (.html, one file, needs no network)
   --view AZ,EL       from where, in degrees: AZ around the upright axis, EL above
                      (default: 30,20)
-  --up AXIS          which axis is upright in the picture: x, y, z (the default)
+  --up AXIS          which axis is upright in picture and viewer: x, y, z (the
+                     default)
   --stats            print what was computed as one JSON object on stdout
   -q, --quiet        no progress and no summary
   -h, --help         this text
@@ -208,6 +219,7 @@ Options:
 Examples:
   tetsculpt scan.xyz surface.ply
   tetsculpt --picture kitten.png --up y kitten.xyz kitten.ply
+  tetsculpt --viewer kitten.html --up y kitten.xyz kitten.ply
   tetsculpt --stats slices.csv organ.stl > organ.json
 
 Exit status:

@@ -18,6 +18,7 @@ struct Arguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path picture;  ///< empty: none
+  std::filesystem::path viewer;   ///< empty: none
   View view;
   ReconstructOptions options;
   bool quiet = false;

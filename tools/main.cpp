@@ -18,6 +18,7 @@
 #include "tools/progress.h"
 #include "tools/report.h"
 #include "tools/version.h"
+#include "tools/viewer.h"
 
 namespace tetsculpt::cli {
 namespace {
@@ -68,10 +69,13 @@ void report_hidden(const std::vector<std::size_t>& hidden,
 }
 
 /// Throws IoError.
-void write_outputs(const Arguments& arguments, const TriangleMesh& mesh, Precision precision) {
-  write_mesh(mesh, arguments.output, {.precision = precision});
-  if (arguments.picture.empty()) return;
-  write_png(draw({.mesh = &mesh}, arguments.view), arguments.picture);
+void write_outputs(const Arguments& arguments, const PointFile& file, const Reconstruction& result,
+                   const Topology& topology) {
+  write_mesh(result.mesh, arguments.output, {.precision = file.precision});
+  if (!arguments.picture.empty()) {
+    write_png(draw({.mesh = &result.mesh}, arguments.view), arguments.picture);
+  }
+  if (!arguments.viewer.empty()) write_viewer(arguments, file.points, result, topology);
 }
 
 int run(const Arguments& arguments) {
@@ -111,7 +115,7 @@ int run(const Arguments& arguments) {
 
   const auto write_start = std::chrono::steady_clock::now();
   try {
-    write_outputs(arguments, result.mesh, file.precision);
+    write_outputs(arguments, file, result, facts.topology);
   } catch (const IoError& error) {
     return fail(kNoOutput, error.what());
   }

@@ -1,0 +1,46 @@
+#include "tools/viewer.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "io/viewer_writer.h"
+
+namespace tetsculpt::cli {
+namespace {
+
+/// With a comma between groups of three digits.
+std::string grouped(std::size_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+std::string method_name(const ReconstructOptions& options) {
+  if (options.method != Method::kPaper) return name(options.method);
+  return name(options.method) + ", " + name(options.criterion);
+}
+
+}  // namespace
+
+void write_viewer(const Arguments& arguments, std::span<const Point3> points,
+                  const Reconstruction& result, const Topology& topology) {
+  std::vector<Point3> hidden;
+  for (const std::size_t i : result.hidden) hidden.push_back(points[i]);
+  const auto& counts = result.counts;
+  ViewerScene scene{.title = arguments.input.filename().string(),
+                    .facts = {{"Method", method_name(arguments.options)},
+                              {"Points", grouped(counts.vertices)},
+                              {"Triangles", grouped(result.mesh.triangles.size())},
+                              {"Components", grouped(topology.components)},
+                              {"Genus", grouped(topology.genus)},
+                              {"Delaunay tetrahedra", grouped(counts.tetrahedra)}},
+                    .points = result.mesh.points,
+                    .hidden = hidden,
+                    .record = &result.story.record,
+                    .emst_edges = result.story.emst_edges,
+                    .egh_triangles = result.story.egh_triangles};
+  tetsculpt::write_viewer(scene, arguments.viewer, {.view = arguments.view});
+}
+
+}  // namespace tetsculpt::cli
