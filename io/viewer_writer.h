@@ -18,18 +18,18 @@ namespace tetsculpt {
 
 /// What the page shows. The spans and the record must outlive the writing.
 struct ViewerScene {
-  std::string title;                                       ///< any text, as are the facts
-  std::vector<std::pair<std::string, std::string>> facts;  ///< name and value, a line each
+  std::string title = {};                                       ///< any text, as are the facts
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< name and value, a line each
   /// Vertices are numbered through the points, then the hidden ones.
-  std::span<const Point3> points;
-  std::span<const Point3> hidden;
+  std::span<const Point3> points = {};
+  std::span<const Point3> hidden = {};
   const SculptingRecord* record = nullptr;  ///< its last step is the surface
-  std::span<const std::array<std::uint32_t, 2>> emst_edges;
-  std::span<const std::array<std::uint32_t, 3>> egh_triangles;
+  std::span<const std::array<std::uint32_t, 2>> emst_edges = {};
+  std::span<const std::array<std::uint32_t, 3>> egh_triangles = {};
 };
 
 struct ViewerOptions {
-  View view;  ///< from where it is seen at first; the size is the window's
+  View view = {};  ///< from where it is seen at first; the size is the window's
   /// The record is coarsened (kernel/sculpting_record.h) to this many triangles: 27 bytes each in
   /// the file.
   std::size_t most_record_triangles = 4'000'000;

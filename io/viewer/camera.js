@@ -1,12 +1,14 @@
-// From where the scene, which lies in the unit ball, is seen.
+// From where the scene is seen.
 
 const kFieldOfView = (30 * Math.PI) / 180; // of the smaller side of the window
-const kMargin = 1.08; // the ball's share of the window at first
-const kNearestEye = 0.02;
+const kMargin = 1.1; // the window's share of the scene at first
+const kNearestEye = 0.02; // in radii of the scene, as the next
 const kFarthestEye = 60;
 
 class Camera {
-  constructor() {
+  /** The scene lies in the ball of this radius around the origin. */
+  constructor(radius) {
+    this.radius = radius;
     this.width = 1;
     this.height = 1;
     this.reset();
@@ -15,7 +17,7 @@ class Camera {
   reset() {
     this.rotation = [0, 0, 0, 1];
     this.pan = [0, 0]; // where the middle of the scene is, in the plane through it
-    this.distance = kMargin / Math.sin(kFieldOfView / 2);
+    this.distance = (kMargin * this.radius) / Math.sin(kFieldOfView / 2);
   }
 
   /** The size of the window, in any unit; all pixels below are in the same one. */
@@ -52,7 +54,8 @@ class Camera {
   /** Makes what is seen larger by `factor`; what is at (x, y), from the upper left, stays there. */
   zoom(factor, x = this.width / 2, y = this.height / 2) {
     const before = this.distance / this.focalLength();
-    this.distance = Math.min(kFarthestEye, Math.max(kNearestEye, this.distance / factor));
+    const [nearest, farthest] = [kNearestEye * this.radius, kFarthestEye * this.radius];
+    this.distance = Math.min(farthest, Math.max(nearest, this.distance / factor));
     const growth = this.distance / this.focalLength() - before; // of what a pixel covers
     this.panBy((x - this.width / 2) * growth, (this.height / 2 - y) * growth);
   }
@@ -63,7 +66,9 @@ class Camera {
 
   projection() {
     const scale = [(2 * this.focalLength()) / this.width, (2 * this.focalLength()) / this.height];
-    const near = Math.max(this.distance - 1.02, this.distance * 0.02, 0.002);
-    return perspectiveMatrix(scale, near, this.distance + 1.02);
+    // The plane through the middle stays at this distance, wherever the scene is moved in it.
+    const reach = 1.02 * this.radius;
+    const near = Math.max(this.distance - reach, 0.02 * this.distance);
+    return perspectiveMatrix(scale, near, this.distance + reach);
   }
 }

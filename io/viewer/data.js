@@ -40,3 +40,12 @@ function takeScene() {
     egh: takeArray("egh", Uint32Array),
   };
 }
+
+/** The largest distance of a vertex from the origin; 1 where there is none. */
+function radiusOf({ positions: p }) {
+  let largest = 0;
+  for (let i = 0; i < p.length; i += 3) {
+    largest = Math.max(largest, p[i] * p[i] + p[i + 1] * p[i + 1] + p[i + 2] * p[i + 2]);
+  }
+  return Math.sqrt(largest) || 1;
+}

@@ -53,7 +53,7 @@ function start() {
   const switches = kLayers.map((id) => document.getElementById(id));
   const scene = takeScene();
   const surface = new Surface(scene);
-  const camera = new Camera();
+  const camera = new Camera(radiusOf(scene));
   const renderer = new Renderer(canvas, scene, surface);
   const changed = drawnOnDemand(() => {
     const shown = Object.fromEntries(switches.map((box) => [box.id, box.checked]));

@@ -4,6 +4,7 @@ const kColours = {
   surface: [186, 200, 222],
   inside: [207, 97, 92],
   wireframe: [70, 84, 106],
+  wireframeAlone: [112, 132, 164],
   points: [38, 108, 190],
   emst: [232, 128, 20],
   egh: [60, 160, 100],
@@ -83,7 +84,8 @@ class Renderer {
     gl.disable(gl.POLYGON_OFFSET_FILL);
     if (shown.wireframe) {
       if (this.edgeEnds === null) this.takeEdges();
-      this.drawLines(this.edges, this.edgeEnds, kColours.wireframe);
+      const colour = shown.surface ? kColours.wireframe : kColours.wireframeAlone;
+      this.drawLines(this.edges, this.edgeEnds, colour);
     }
     if (shown.emst) this.drawLines(this.emst, scene.emst.length, kColours.emst);
     if (shown.points) this.drawPoints();
@@ -111,8 +113,14 @@ class Renderer {
     gl.uniform3fv(at.front, rgb(kColours.surface));
     gl.uniform3fv(at.back, rgb(kColours.inside));
     gl.uniform1f(at.smoothness, smooth ? 1 : 0);
-    gl.polygonOffset(2, 2);
-    this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
+    // The inside gives way to the outside, which it meets where the surface bends away.
+    gl.enable(gl.CULL_FACE);
+    for (const [hidden, offset] of [[gl.BACK, 2], [gl.FRONT, 6]]) {
+      gl.cullFace(hidden);
+      gl.polygonOffset(offset, offset);
+      this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
+    }
+    gl.disable(gl.CULL_FACE);
   }
 
   /** In front of the surface, most of whose triangles are of the graph. */
@@ -136,8 +144,8 @@ class Renderer {
   drawPoints() {
     const { gl, scene, camera, pixelRatio } = this;
     const at = this.use(this.dots);
-    const size = (1.2 * camera.focalLength()) / Math.sqrt(scene.pointCount + 1);
-    this.setMark(at, kColours.points, [size, 2.5, 9].map((x) => x * pixelRatio), 0.0006);
+    const size = (0.7 * camera.focalLength() * camera.radius) / Math.sqrt(scene.pointCount + 1);
+    this.setMark(at, kColours.points, [size, 2, 7].map((x) => x * pixelRatio), 0.0006);
     gl.drawArrays(gl.POINTS, 0, scene.pointCount);
   }
 
