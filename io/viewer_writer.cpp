@@ -1,10 +1,13 @@
-// The page holds its arrays as base64 of little-endian floats and 32-bit integers, each in a script
-// element of a type that browsers do not run; io/viewer/data.js reads them.
+// The page holds its arrays as base64, each in a script element of a type that browsers do not run:
+// positions as little-endian floats; integers as differences from the one before, modulo 2^32, the
+// signed d >= 0 as 2 d and others as -2 d - 1, in groups of seven bits, lowest first, with the
+// eighth bit set on all but the last of a number. io/viewer/data.js reads them.
 #include "io/viewer_writer.h"
 
 #include <algorithm>
 #include <cassert>
 #include <string_view>
+#include <utility>
 
 #include "io/atomic_file.h"
 #include "io/base64.h"
@@ -38,18 +41,22 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
-/// One array of the page: takes numbers, writes their text.
+/// One array of the page: takes bytes, writes their text.
 class ArrayElement {
  public:
   ArrayElement(AtomicFile& out, std::string_view id) : out_(out) {
     out_.write("<script type=\"text/plain\" id=\"" + std::string(id) + "-data\">");
   }
-  template <typename Number>
-  void add(Number value) {
-    static_assert(sizeof(Number) == 4);
-    end_ =
-        static_cast<std::size_t>(store_little_endian(bytes_.data() + end_, value) - bytes_.data());
-    if (end_ == bytes_.size()) flush();
+  void add(float value) {
+    std::array<char, 4> bytes;
+    store_little_endian(bytes.data(), value);
+    for (const char byte : bytes) add_byte(byte);
+  }
+  void add(std::uint32_t value) {
+    const std::uint32_t difference = value - std::exchange(last_, value);
+    std::uint32_t rest = difference << 1 ^ (difference >> 31 != 0 ? 0xffffffffu : 0u);
+    for (; rest >= 0x80; rest >>= 7) add_byte(static_cast<char>((rest & 0x7f) | 0x80));
+    add_byte(static_cast<char>(rest));
   }
   void finish() {
     flush();
@@ -57,6 +64,10 @@ class ArrayElement {
   }
 
  private:
+  void add_byte(char byte) {
+    bytes_[end_++] = byte;
+    if (end_ == bytes_.size()) flush();
+  }
   void flush() {
     out_.write(base64({bytes_.data(), end_}));
     end_ = 0;
@@ -65,6 +76,7 @@ class ArrayElement {
   AtomicFile& out_;
   std::array<char, 3 * 4096> bytes_;  // a multiple of three: texts of blocks can be joined
   std::size_t end_ = 0;
+  std::uint32_t last_ = 0;
 };
 
 template <std::size_t N>
@@ -103,7 +115,9 @@ void write_positions(AtomicFile& out, const ViewerScene& scene, const View& view
 }
 
 void write_data(AtomicFile& out, const ViewerScene& scene, const ViewerOptions& options) {
-  const SculptingRecord record = coarsened(*scene.record, options.most_record_triangles);
+  const auto lasting = std::ranges::count(scene.record->died, SculptingRecord::kNever);
+  const SculptingRecord record =
+      coarsened(*scene.record, static_cast<std::size_t>(lasting) + options.most_passing_triangles);
   out.write("<script type=\"application/json\" id=\"sizes\">{\"steps\": " +
             std::to_string(record.step_count) +
             ", \"hidden\": " + std::to_string(scene.hidden.size()) + "}</script>\n");

@@ -30,9 +30,9 @@ struct ViewerScene {
 
 struct ViewerOptions {
   View view = {};  ///< from where it is seen at first; the size is the window's
-  /// The record is coarsened (kernel/sculpting_record.h) to this many triangles: 27 bytes each in
-  /// the file.
-  std::size_t most_record_triangles = 4'000'000;
+  /// The record is coarsened (kernel/sculpting_record.h) until at most so many triangles come and
+  /// go before the surface is there: about 13 bytes each in the file, 20 in the browser.
+  std::size_t most_passing_triangles = 8'000'000;
 };
 
 /// Writes the page. The file appears whole or not at all, see io/atomic_file.h. Positions are

@@ -13,12 +13,29 @@ function decodeBase64(text) {
   return bytes;
 }
 
-/** The array in the element `id`, which then gives its text back to the memory. */
-function takeArray(id, Type) {
+/** The bytes in the element `id`, which then gives its text back to the memory. */
+function takeBytes(id) {
   const element = document.getElementById(id + "-data");
-  const array = new Type(decodeBase64(element.textContent).buffer);
+  const bytes = decodeBase64(element.textContent);
   element.remove();
-  return array;
+  return bytes;
+}
+
+/** Integers of 32 bits, told as differences in groups of seven bits. */
+function takeIntegers(id) {
+  const bytes = takeBytes(id);
+  let count = 0;
+  for (let i = 0; i < bytes.length; ++i) count += bytes[i] < 0x80 ? 1 : 0;
+  const integers = new Uint32Array(count);
+  for (let i = 0, at = 0, last = 0; i < count; ++i) {
+    let told = 0;
+    let shift = 0;
+    for (; bytes[at] >= 0x80; shift += 7) told |= (bytes[at++] & 0x7f) << shift;
+    told |= bytes[at++] << shift;
+    last = (last + ((told >>> 1) ^ -(told & 1))) | 0;
+    integers[i] = last;
+  }
+  return integers;
 }
 
 /**
@@ -27,17 +44,17 @@ function takeArray(id, Type) {
  */
 function takeScene() {
   const sizes = JSON.parse(document.getElementById("sizes").textContent);
-  const positions = takeArray("positions", Float32Array);
+  const positions = new Float32Array(takeBytes("positions").buffer);
   return {
     steps: sizes.steps,
     hiddenCount: sizes.hidden,
     pointCount: positions.length / 3 - sizes.hidden,
     positions,
-    triangles: takeArray("triangles", Uint32Array),
-    born: takeArray("born", Uint32Array),
-    died: takeArray("died", Uint32Array),
-    emst: takeArray("emst", Uint32Array),
-    egh: takeArray("egh", Uint32Array),
+    triangles: takeIntegers("triangles"),
+    born: takeIntegers("born"),
+    died: takeIntegers("died"),
+    emst: takeIntegers("emst"),
+    egh: takeIntegers("egh"),
   };
 }
 
