@@ -113,14 +113,8 @@ class Renderer {
     gl.uniform3fv(at.front, rgb(kColours.surface));
     gl.uniform3fv(at.back, rgb(kColours.inside));
     gl.uniform1f(at.smoothness, smooth ? 1 : 0);
-    // The inside gives way to the outside, which it meets where the surface bends away.
-    gl.enable(gl.CULL_FACE);
-    for (const [hidden, offset] of [[gl.BACK, 2], [gl.FRONT, 6]]) {
-      gl.cullFace(hidden);
-      gl.polygonOffset(offset, offset);
-      this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
-    }
-    gl.disable(gl.CULL_FACE);
+    gl.polygonOffset(2, 2);
+    this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
   }
 
   /** In front of the surface, most of whose triangles are of the graph. */

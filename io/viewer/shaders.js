@@ -15,7 +15,8 @@ void main() {
 }`;
 
 // Lit as io/picture does. Across a crease, where the vertices' normals are far from the triangle's own,
-// the latter counts.
+// the latter counts. Where the surface bends away, inside and outside meet within a pixel: there the
+// inside has the colour of the outside.
 const kFaceFragmentShader = `
 #extension GL_OES_standard_derivatives : enable
 precision highp float;
@@ -31,7 +32,8 @@ void main() {
   float share = smoothness * smoothstep(0.6, 0.8, dot(flatNormal, bent));
   vec3 n = normalize(mix(flatNormal, bent, share));
   float light = 0.25 + 0.45 * max(0.0, n.z) + 0.4 * max(0.0, dot(n, vec3(-0.48, 0.64, 0.6)));
-  gl_FragColor = vec4(min(vec3(1.0), light * (gl_FrontFacing ? front : back)), 1.0);
+  float inside = gl_FrontFacing ? 0.0 : smoothstep(0.05, 0.25, flatNormal.z);
+  gl_FragColor = vec4(min(vec3(1.0), light * mix(front, back, inside)), 1.0);
 }`;
 
 // Lines and points come forward a little, so that they lie on the surface.

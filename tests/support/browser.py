@@ -129,10 +129,11 @@ class Browser:
         """Waits until what was asked of the page is on the screen."""
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
-    def screenshot(self):
-        """What the window shows, as the bytes of a PNG file."""
+    def screenshot(self, x, y, width, height):
+        """What a part of the window shows, as the bytes of a PNG file."""
         self.settle()
-        return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+        clip = {"x": x, "y": y, "width": width, "height": height, "scale": 1}
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip)["data"])
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
