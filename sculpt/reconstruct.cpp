@@ -12,6 +12,7 @@
 #include "kernel/gabriel.h"
 #include "kernel/large_array.h"
 #include "sculpt/kept.h"
+#include "sculpt/record.h"
 #include "sculpt/sculpt_guided.h"
 #include "sculpt/sculpt_paper.h"
 
@@ -84,7 +85,10 @@ Sculpture sculpt(std::span<const Point3> points, const TetComplex& complex, cons
                  const ReconstructOptions& options) {
   const auto progress = stage_progress(options, "sculpt");
   if (options.method == Method::kGuided) {
-    return sculpt_guided(points, complex, graphs.held_back.egh_triangles, {.progress = progress});
+    using Keep = GuidedOptions::Keep;
+    return sculpt_guided(
+        points, complex, graphs.held_back.egh_triangles,
+        {.progress = progress, .keep = options.keep.record ? Keep::kLabels : Keep::kSolid});
   }
   return sculpt_paper(points, complex, graphs.held_back,
                       {.criterion = options.criterion, .progress = progress});
@@ -125,7 +129,7 @@ std::vector<std::uint32_t> write_mesh(std::span<const Point3> input, const Disti
 
 /// Fills in what is asked for besides the surface.
 void keep(std::span<const Point3> input, const TetComplex& complex, const Graphs& graphs,
-          const Flags& solid, std::span<const std::uint32_t> index, const Keep& kept,
+          const Sculpture& sculpture, std::span<const std::uint32_t> index, const Keep& kept,
           Reconstruction& out) {
   std::vector<Point3> points = out.mesh.points;
   for (const std::size_t i : out.hidden) points.push_back(input[i]);
@@ -136,8 +140,14 @@ void keep(std::span<const Point3> input, const TetComplex& complex, const Graphs
     out.graphs.egh =
         kept_hypergraph(complex, graphs.egh_edges, graphs.held_back.egh_triangles, index);
   }
+  if (kept.record) {
+    out.record = sculpting_record(complex, sculpting_steps(complex, sculpture));
+    for (auto& triangle : out.record.triangles) {
+      for (std::uint32_t& v : triangle) v = index[v];
+    }
+  }
   if (kept.tetrahedra) {
-    out.tetrahedra = kept_tetrahedra(complex, solid, index);
+    out.tetrahedra = kept_tetrahedra(complex, sculpture.solid, index);
     out.tetrahedra.points = std::move(points);
   }
 }
@@ -166,8 +176,8 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
   const Sculpture sculpture = sculpt(distinct.points, complex, known, options);
   out.counts.holes = sculpture.holes.size();
   const auto index = write_mesh(points, distinct, complex, sculpture, out);
-  if (options.keep.graphs || options.keep.tetrahedra) {
-    keep(points, complex, known, sculpture.solid, index, options.keep, out);
+  if (options.keep.graphs || options.keep.tetrahedra || options.keep.record) {
+    keep(points, complex, known, sculpture, index, options.keep, out);
   }
   out.seconds.sculpt = watch.lap();
   return out;

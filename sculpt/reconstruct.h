@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,7 @@
 #include "kernel/distinct_points.h"
 #include "kernel/point.h"
 #include "kernel/point_graph.h"
+#include "kernel/sculpting_record.h"
 #include "kernel/tet_mesh.h"
 #include "kernel/triangle_mesh.h"
 #include "sculpt/priority.h"
@@ -26,6 +28,7 @@ enum class Method {
 struct Keep {
   bool graphs = false;
   bool tetrahedra = false;
+  bool record = false;
 };
 
 struct ReconstructOptions {
@@ -65,6 +68,8 @@ struct Reconstruction {
   } graphs;
   /// The Delaunay tetrahedra, over the same points. Empty unless asked for.
   TetMesh tetrahedra;
+  /// How the surface came about, over the same points. Empty unless asked for.
+  SculptingRecord record;
 
   /// Sizes of what was computed on the way.
   struct Counts {

@@ -79,9 +79,15 @@ Sculpture sculpt_guided(std::span<const Point3> points, const TetComplex& comple
   progress(0.35);
   CutLabels cut = cut_labels(complex, known.graph, known.evidence);
   progress(kUntilMended);
-  if (is_surface(cut, complex, spheres)) return {.solid = std::move(cut.inside)};
-  return mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone),
-                        [&](double done) { progress(kUntilMended + (1 - kUntilMended) * done); });
+  Flags labels = options.keep == GuidedOptions::Keep::kLabels ? cut.inside : Flags();
+  if (is_surface(cut, complex, spheres)) {
+    return {.solid = std::move(cut.inside), .labels = std::move(labels)};
+  }
+  Sculpture mended =
+      mended_surface(complex, spheres, known.evidence, cut.faults, std::move(known.alone),
+                     [&](double done) { progress(kUntilMended + (1 - kUntilMended) * done); });
+  mended.labels = std::move(labels);
+  return mended;
 }
 
 }  // namespace tetsculpt

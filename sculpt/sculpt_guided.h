@@ -16,6 +16,8 @@ struct GuidedOptions {
   /// Told now and then which share of the work is done, from 0 to 1. May throw: that cancels, and
   /// the exception passes through.
   std::function<void(double)> progress = {};
+  /// What to give beyond the solid: Sculpture::labels costs a copy of it.
+  enum class Keep { kSolid, kLabels } keep = Keep::kSolid;
 };
 
 /// Labels tetrahedra by the evidence of Voronoi poles, overlapping circumspheres and EGH triangles,

@@ -17,6 +17,8 @@ struct Sculpture {
   /// Where in `removed` a pseudo-prism starts: three tetrahedra that went at once and opened a
   /// hole.
   std::vector<std::size_t> holes = {};
+  /// The first labels, from which the solid was made (sculpt_guided only, and only if asked for).
+  Flags labels = {};
   /// Vertices that could not be brought to the boundary, in order of id.
   std::vector<VertexId> hidden = {};
 

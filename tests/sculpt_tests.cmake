@@ -22,7 +22,10 @@ foreach(
   reconstruct_order_test
   reconstruct_progress_test
   reconstruct_small_sets_test
-  reconstruct_span_test)
+  reconstruct_span_test
+  reconstruct_story_test
+  record_coarsened_test
+  record_replay_test)
   tetsculpt_test(${name})
   target_link_libraries(${name} PRIVATE tetsculpt_sculpt_support)
 endforeach()

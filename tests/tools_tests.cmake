@@ -30,12 +30,22 @@ if(TARGET tetsculpt_cli)
     cli_stats_file_test
     cli_stats_test
     cli_usage_test
-    cli_vertex_attributes_test)
+    cli_vertex_attributes_test
+    cli_viewer_test)
     tetsculpt_test(${name})
     target_link_libraries(${name} PRIVATE tetsculpt_cli_support)
   endforeach()
 
   target_sources(cli_vertex_attributes_test PRIVATE ${PROJECT_SOURCE_DIR}/tools/surface_file.cpp)
+
+  # In a real browser; skipped where there is none.
+  find_package(Python3 COMPONENTS Interpreter)
+  if(Python3_FOUND)
+    add_test(NAME viewer_page_test
+             COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/viewer_page_test.py
+                     $<TARGET_FILE:tetsculpt_cli> ${CMAKE_CURRENT_SOURCE_DIR}/data/kitten.xyz)
+    set_tests_properties(viewer_page_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900)
+  endif()
 
   # With our flags, so that a build with sanitizers links. The install rules take the program along.
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)

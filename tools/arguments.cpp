@@ -183,13 +183,16 @@ void check_output(const Arguments& a) {
     throw UsageError("--ascii is for .ply files; " + a.output.string() + " is none");
   }
   if (!a.picture.empty()) check_extension(a.picture, "picture", {".png"});
+  if (!a.viewer.empty()) check_extension(a.viewer, "viewer", {".html"});
   if (!a.tetrahedra.empty()) check_extension(a.tetrahedra, "tetrahedra file", {".vtk", ".mesh"});
 }
 
 void check(const Arguments& a) {
   if (a.input.empty()) throw UsageError("no input file given");
   if (a.output.empty() && !a.dry_run) throw UsageError("no output file given");
-  if (a.picture.empty() && a.view_given) throw UsageError("--view and --up need --picture");
+  if (a.picture.empty() && a.viewer.empty() && a.view_given) {
+    throw UsageError("--view and --up need --picture or --viewer");
+  }
   if (a.quiet && (a.verbose || a.progress)) {
     throw UsageError("--quiet and " + std::string(a.verbose ? "--verbose" : "--progress") +
                      " contradict each other");

@@ -24,7 +24,8 @@ struct Arguments {
   std::optional<PointFormat> input_format;
   std::optional<MeshFormat> output_format;
   std::filesystem::path picture;  ///< empty: none; so below
-  std::filesystem::path graphs;   ///< what the names of the graphs' files begin with
+  std::filesystem::path viewer;
+  std::filesystem::path graphs;  ///< what the names of the graphs' files begin with
   std::filesystem::path tetrahedra;
   View view;
   bool view_given = false;

@@ -9,6 +9,7 @@
 #include "tools/messages.h"
 #include "tools/run.h"
 #include "tools/version.h"
+#include "tools/viewer.h"
 
 namespace tetsculpt::cli {
 namespace {

@@ -146,10 +146,19 @@ constexpr Option kOptions[] = {
      [](Arguments& a, Words value) {
        a.picture.clear(), note_file(a.picture, "--picture", value);
      }},
+    {kMore, 0, "viewer", kValue, "FILE",
+     "write a page that shows the surface in any browser: to be turned, with points, graphs and "
+     "the "
+     "steps that led to it (.html, one file, needs no network)",
+     [](Arguments& a, Words value) {
+       a.viewer.clear(), note_file(a.viewer, "--viewer", value);
+       a.options.keep.graphs = a.options.keep.record = true;
+     }},
     {kMore, 0, "view", kValue, "AZ,EL",
      "from where, in degrees: AZ around the upright axis, EL above (default: 30,20)",
      [](Arguments& a, Words value) { note_angles(value, a.view), a.view_given = true; }},
-    {kMore, 0, "up", kValue, "AXIS", "which axis is upright in the picture: x, y, z (the default)",
+    {kMore, 0, "up", kValue, "AXIS",
+     "which axis is upright in picture and viewer: x, y, z (the default)",
      [](Arguments& a, Words value) { a.view.up = value_of(value, kAxes), a.view_given = true; },
      [] { return names_of(kAxes); }},
     {kMore, 0, "graphs", kValue, "PREFIX",

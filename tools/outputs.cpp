@@ -11,6 +11,7 @@
 #include "io/png_writer.h"
 #include "io/tetrahedra_writer.h"
 #include "tools/surface_file.h"
+#include "tools/viewer.h"
 
 namespace tetsculpt::cli {
 namespace {
@@ -34,8 +35,8 @@ void try_output(const std::filesystem::path& file) {
 }  // namespace
 
 void try_outputs(const Arguments& arguments) {
-  for (const auto& file :
-       {arguments.output, arguments.picture, arguments.tetrahedra, arguments.stats_file}) {
+  for (const auto& file : {arguments.output, arguments.picture, arguments.viewer,
+                           arguments.tetrahedra, arguments.stats_file}) {
     if (!file.empty() && file != "-") try_output(file);
   }
   if (!arguments.graphs.empty()) try_output(graph_file(arguments, "emst"));
@@ -48,12 +49,13 @@ void write_text(const std::string& text, const std::filesystem::path& file) {
 }
 
 std::vector<std::string> write_outputs(const Arguments& arguments, const PointFile& file,
-                                       const Reconstruction& result,
+                                       const Reconstruction& result, const Topology& topology,
                                        std::span<const std::size_t> index_in_file) {
   std::vector<std::string> lines = write_surface(arguments, file, result, index_in_file);
   if (!arguments.picture.empty()) {
     write_png(draw({.mesh = &result.mesh}, arguments.view), arguments.picture);
   }
+  if (!arguments.viewer.empty()) write_viewer(arguments, file.points, result, topology);
   if (!arguments.graphs.empty()) {
     const auto& [points, emst, gabriel, egh] = result.graphs;
     write_graph(points, emst, file.precision, graph_file(arguments, "emst"));

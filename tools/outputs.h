@@ -24,7 +24,7 @@ void write_text(const std::string& text, const std::filesystem::path& file);
 /// reconstructed stand. Returns lines that tell what the surface's file does not hold as it was.
 /// Throws IoError.
 std::vector<std::string> write_outputs(const Arguments& arguments, const PointFile& file,
-                                       const Reconstruction& result,
+                                       const Reconstruction& result, const Topology& topology,
                                        std::span<const std::size_t> index_in_file);
 
 }  // namespace tetsculpt::cli

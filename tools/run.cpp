@@ -155,8 +155,9 @@ int reconstruct_points(const Arguments& arguments, const Input& in, RunFacts& fa
   facts.topology = topology(result.mesh);
   progress("write", 0);
   const Clock write_clock;
-  const auto lines = or_fail(
-      kNoOutput, [&] { return write_outputs(arguments, in.file, result, in.index_in_file); });
+  const auto lines = or_fail(kNoOutput, [&] {
+    return write_outputs(arguments, in.file, result, facts.topology, in.index_in_file);
+  });
   facts.seconds_write = write_clock.seconds();
   facts.seconds_total = clock.seconds();
   progress.clear();
