@@ -55,7 +55,6 @@ std::optional<NumberType> VtkScanner::type() {
   in_.fail("arrays of type '" + std::string(name) + "' are not read");
 }
 
-// Makes sure that the file has room for the numbers.
 std::uint64_t VtkScanner::checked_numbers(const VtkArray& array) const {
   if (array.components == 0 || array.components > kMostComponents) {
     in_.fail("an array of " + std::to_string(array.components) + " components");

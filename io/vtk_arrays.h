@@ -26,6 +26,8 @@ struct VtkArray {
 class VtkScanner {
  public:
   VtkScanner(std::string_view content, const std::filesystem::path& path);
+  VtkScanner(const VtkScanner&) = delete;
+  VtkScanner& operator=(const VtkScanner&) = delete;
 
   /// Goes to the next line that is not blank; false if there is none.
   bool next_line() { return in_.next_content_line(); }
@@ -39,6 +41,9 @@ class VtkScanner {
   /// Takes the name of a type off the line.
   std::optional<NumberType> type();
 
+  /// The numbers of an array; throws if the file has no room for them.
+  std::uint64_t checked_numbers(const VtkArray& array) const;
+
   /// Each takes the data behind the line.
   void skip(const VtkArray& array);
   std::vector<Point3> points(const VtkArray& array);            ///< 3 components, no bits
@@ -46,7 +51,6 @@ class VtkScanner {
   void skip_block();                                            ///< up to a blank line
 
  private:
-  std::uint64_t checked_numbers(const VtkArray& array) const;
   const char* bytes_of(const VtkArray& array);
   void find_token();
 

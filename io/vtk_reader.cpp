@@ -107,7 +107,7 @@ class VtkReader {
     if (keyword == "SCALARS") {
       const std::optional<NumberType> type = in_.type();
       const std::uint64_t components = line.at_line_end() ? 1 : line.count();
-      if (in_.next_begins_with("LOOKUP_TABLE")) in_.next_line(), skip_line();
+      if (in_.next_begins_with("LOOKUP_TABLE")) skip_next_line();
       keep(name, {type, tuples_, components});
     } else if (keyword == "COLOR_SCALARS") {
       colours(name, {byte_or_share(), tuples_, line.count()});
@@ -121,7 +121,8 @@ class VtkReader {
     }
   }
 
-  void skip_line() {
+  void skip_next_line() {
+    in_.next_line();
     while (!in_.line().at_line_end()) in_.line().token();
   }
 
@@ -178,11 +179,9 @@ class VtkReader {
       keep(canonical_names({name}), array);
       return;
     }
+    in_.checked_numbers(array);  // before so many names are made
     std::vector<std::string> names;
-    constexpr std::uint64_t kMost = 10'000;  // more are refused with the array
-    for (std::size_t i = 0; i < std::min(array.components, kMost); ++i) {
-      names.push_back(part_name(name, i));
-    }
+    for (std::size_t i = 0; i < array.components; ++i) names.push_back(part_name(name, i));
     keep(names, array);
   }
 
