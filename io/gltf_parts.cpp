@@ -96,16 +96,18 @@ GltfPart position_part(const TriangleMesh& mesh, const Point3& origin) {
       high[k] = std::max(high[k], p[k]);
     }
   }
-  return {.semantic = "POSITION",
-          .count = mesh.points.size(),
-          .stride = 12,
-          .components = 3,
-          .bounds = "\"min\":" + list_of(low) + ",\"max\":" + list_of(high),
-          .store = [floats](RowRange rows, char* to) {
-            for (std::size_t i = rows.first; i < rows.first + rows.count; ++i) {
-              for (const float value : floats(i)) to = store_number(to, value, kOrder);
-            }
-          }};
+  return {
+      .semantic = "POSITION",
+      .count = mesh.points.size(),
+      .stride = 12,
+      .components = 3,
+      .bounds =
+          std::string("\"min\":").append(list_of(low)).append(",\"max\":").append(list_of(high)),
+      .store = [floats](RowRange rows, char* to) {
+        for (std::size_t i = rows.first; i < rows.first + rows.count; ++i) {
+          for (const float value : floats(i)) to = store_number(to, value, kOrder);
+        }
+      }};
 }
 
 GltfPart index_part(const TriangleMesh& mesh) {
@@ -139,6 +141,7 @@ bool are_units(const AttributeRefs& normals, std::size_t count) {
 std::vector<GltfPart> gltf_parts(const TriangleMesh& mesh, const Point3& origin,
                                  std::span<const Attribute> attributes, WriteReport& report) {
   const std::size_t count = mesh.points.size();
+  if (count == 0) return {};
   AttributeGroups groups = grouped(attributes);
   std::vector<GltfPart> parts = {position_part(mesh, origin)};
   const auto add_group = [&](const char* semantic, const AttributeRefs& group, bool fits) {
@@ -153,7 +156,8 @@ std::vector<GltfPart> gltf_parts(const TriangleMesh& mesh, const Point3& origin,
   add_group("COLOR_0", groups.colours, std::ranges::all_of(groups.colours, fit_floats));
   for (const Attribute* attribute : nameable(groups.others, {}, report.dropped)) {
     if (fit_floats(attribute)) {
-      parts.push_back(attribute_part("_" + attribute->name, {attribute}, count, report));
+      parts.push_back(
+          attribute_part(std::string("_").append(attribute->name), {attribute}, count, report));
     } else {
       report.dropped.push_back(attribute->name);
     }

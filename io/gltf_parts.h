@@ -40,8 +40,9 @@ struct GltfPart {
   std::size_t size() const { return count * stride; }
 };
 
-/// The parts of `mesh`, whose coordinates are taken relative to `origin`. Lists in `report` what is
-/// rounded, coordinates apart, and dropped. Precondition: offsets from the origin fit floats.
+/// The parts of `mesh`, none if it has no points; coordinates are taken relative to `origin`. Lists
+/// in `report` what is rounded, coordinates apart, and dropped. Precondition: offsets from the
+/// origin fit floats.
 std::vector<GltfPart> gltf_parts(const TriangleMesh& mesh, const Point3& origin,
                                  std::span<const Attribute> attributes, WriteReport& report);
 

@@ -22,20 +22,18 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJson = 0x4e4f534a;   // "JSON"
 constexpr std::uint32_t kBin = 0x004e4942;    // "BIN"
-constexpr int kVertexTarget = 34962;
-constexpr int kIndexTarget = 34963;
+constexpr std::string_view kAsset = R"("asset":{"version":"2.0","generator":"tetsculpt"})";
+constexpr std::size_t kVertexTarget = 34962;
+constexpr std::size_t kIndexTarget = 34963;
 
 std::string quoted(std::string_view text) {
-  std::string result = "\"";
+  std::string result(1, '"');
   for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
+    if (c == '"' || c == '\\') result.push_back('\\');
+    result.push_back(c);
   }
-  return result + "\"";
-}
-
-std::string member(std::string_view name, std::size_t value) {
-  return quoted(name) + ":" + std::to_string(value);
+  result.push_back('"');
+  return result;
 }
 
 std::string number(double value) {
@@ -43,11 +41,18 @@ std::string number(double value) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// Text with commas between its items.
+/// What stands in brackets in a JSON text.
 class List {
  public:
   void add(std::string_view item) { text_.append(text_.empty() ? "" : ",").append(item); }
+  void add(std::string_view name, std::string_view value) {
+    add(quoted(name));
+    text_.append(":").append(value);
+  }
+  void add(std::string_view name, std::size_t value) { add(name, std::to_string(value)); }
   const std::string& text() const { return text_; }
+  std::string object() const { return std::string("{").append(text_).append("}"); }
+  std::string array() const { return std::string("[").append(text_).append("]"); }
 
  private:
   std::string text_;
@@ -55,20 +60,25 @@ class List {
 
 std::string accessor(const GltfPart& part, std::size_t index) {
   constexpr std::array<std::string_view, 4> kShapes = {"SCALAR", "VEC2", "VEC3", "VEC4"};
-  std::string text = "{" + member("bufferView", index) + "," +
-                     member("componentType", static_cast<std::size_t>(part.type));
-  if (part.normalized) text += ",\"normalized\":true";
-  text += "," + member("count", part.count) + ",\"type\":" + quoted(kShapes[part.components - 1]);
-  if (!part.bounds.empty()) text += "," + part.bounds;
-  return text + "}";
+  List members;
+  members.add("bufferView", index);
+  members.add("componentType", static_cast<std::size_t>(part.type));
+  if (part.normalized) members.add("normalized", "true");
+  members.add("count", part.count);
+  members.add("type", quoted(kShapes[part.components - 1]));
+  if (!part.bounds.empty()) members.add(part.bounds);
+  return members.object();
 }
 
 std::string buffer_view(const GltfPart& part, std::size_t offset) {
   const bool indices = part.semantic.empty();
-  std::string text =
-      "{\"buffer\":0," + member("byteOffset", offset) + "," + member("byteLength", part.size());
-  if (!indices) text += "," + member("byteStride", part.stride);
-  return text + "," + member("target", indices ? kIndexTarget : kVertexTarget) + "}";
+  List members;
+  members.add("buffer", 0);
+  members.add("byteOffset", offset);
+  members.add("byteLength", part.size());
+  if (!indices) members.add("byteStride", part.stride);
+  members.add("target", indices ? kIndexTarget : kVertexTarget);
+  return members.object();
 }
 
 std::size_t total_size(const std::vector<GltfPart>& parts) {
@@ -77,38 +87,53 @@ std::size_t total_size(const std::vector<GltfPart>& parts) {
   return size;
 }
 
-std::string translation(const Point3& origin) {
-  if (origin == Point3{}) return "";
-  return ",\"translation\":[" + number(origin.x) + "," + number(origin.y) + "," + number(origin.z) +
-         "]";
+std::string node(const Point3& origin) {
+  List members;
+  members.add("mesh", 0);
+  if (origin != Point3{}) {
+    List translation;
+    for (const double value : {origin.x, origin.y, origin.z}) translation.add(number(value));
+    members.add("translation", translation.array());
+  }
+  return members.object();
 }
 
-/// The JSON text up to the buffer's length; its uri, if it has one, and kEnd follow.
-std::string json(const std::vector<GltfPart>& parts, const Point3& origin) {
+/// The one primitive of the one mesh.
+std::string primitive(const std::vector<GltfPart>& parts) {
   List attributes;
+  List members;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k].semantic.empty()) {
+      members.add("indices", k);
+    } else {
+      attributes.add(parts[k].semantic, k);
+    }
+  }
+  if (members.text().empty()) members.add("mode", 0);  // points
+  members.add("attributes", attributes.object());
+  return members.object();
+}
+
+/// The members of the asset but its buffer.
+List asset(const std::vector<GltfPart>& parts, const Point3& origin) {
   List accessors;
   List views;
   std::size_t offset = 0;
-  std::string primitive = "\"mode\":0";  // points, unless there are indices of triangles
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const GltfPart& part = parts[k];
-    if (part.semantic.empty()) {
-      primitive = member("indices", k);
-    } else {
-      attributes.add(member(part.semantic, k));
-    }
-    accessors.add(accessor(part, k));
-    views.add(buffer_view(part, offset));
-    offset += part.size();
+    accessors.add(accessor(parts[k], k));
+    views.add(buffer_view(parts[k], offset));
+    offset += parts[k].size();
   }
-  return R"({"asset":{"version":"2.0","generator":"tetsculpt"},"scene":0,"scenes":[{"nodes":[0]}],)"
-         R"("nodes":[{"mesh":0)" +
-         translation(origin) + "}],\"meshes\":[{\"primitives\":[{\"attributes\":{" +
-         attributes.text() + "}," + primitive + "}]}],\"accessors\":[" + accessors.text() +
-         "],\"bufferViews\":[" + views.text() + "],\"buffers\":[{" + member("byteLength", offset);
+  List members;
+  members.add(kAsset);
+  if (parts.empty()) return members;
+  members.add(R"("scene":0,"scenes":[{"nodes":[0]}])");
+  members.add("nodes", std::string("[").append(node(origin)).append("]"));
+  members.add("meshes", std::string("[{\"primitives\":[").append(primitive(parts)).append("]}]"));
+  members.add("accessors", accessors.array());
+  members.add("bufferViews", views.array());
+  return members;
 }
-constexpr std::string_view kEnd = "}]}";
-constexpr std::string_view kEmptyAsset = R"({"asset":{"version":"2.0","generator":"tetsculpt"}})";
 
 template <typename Sink>
 void send(const std::vector<GltfPart>& parts, const Sink& sink) {
@@ -122,19 +147,24 @@ void send(const std::vector<GltfPart>& parts, const Sink& sink) {
   }
 }
 
-void write_text(const std::vector<GltfPart>& parts, const std::string& head, AtomicFile& out) {
-  out.write(head);
-  out.write(",\"uri\":\"data:application/octet-stream;base64,");
-  std::string pending;  // texts can be joined only at multiples of three bytes
-  send(parts, [&](const std::string& bytes) {
-    pending += bytes;
-    const std::size_t whole = pending.size() / 3 * 3;
-    out.write(base64(std::string_view(pending).substr(0, whole)));
-    pending.erase(0, whole);
-  });
-  out.write(base64(pending));
-  out.write("\"");
-  out.write(kEnd);
+void write_text(const std::vector<GltfPart>& parts, const List& members, AtomicFile& out) {
+  out.write("{");
+  out.write(members.text());
+  if (!parts.empty()) {
+    out.write(",\"buffers\":[{\"byteLength\":");
+    out.write(std::to_string(total_size(parts)));
+    out.write(",\"uri\":\"data:application/octet-stream;base64,");
+    std::string pending;  // texts can be joined only at multiples of three bytes
+    send(parts, [&](const std::string& bytes) {
+      pending += bytes;
+      const std::size_t whole = pending.size() / 3 * 3;
+      out.write(base64(std::string_view(pending).substr(0, whole)));
+      pending.erase(0, whole);
+    });
+    out.write(base64(pending));
+    out.write("\"}]");
+  }
+  out.write("}");
 }
 
 void write_words(std::initializer_list<std::uint32_t> words, AtomicFile& out) {
@@ -145,9 +175,15 @@ void write_words(std::initializer_list<std::uint32_t> words, AtomicFile& out) {
   }
 }
 
-void write_binary(const std::vector<GltfPart>& parts, std::string text, AtomicFile& out) {
-  text.resize((text.size() + 3) / 4 * 4, ' ');
+void write_binary(const std::vector<GltfPart>& parts, List members, AtomicFile& out) {
   const std::size_t size = total_size(parts);
+  if (!parts.empty()) {
+    List buffer;
+    buffer.add("byteLength", size);
+    members.add("buffers", std::string("[").append(buffer.object()).append("]"));
+  }
+  std::string text = members.object();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::size_t all = 12 + 8 + text.size() + (parts.empty() ? 0 : 8 + size);
   if (all > std::numeric_limits<std::uint32_t>::max()) {
     throw IoError(out.name(), "a .glb file cannot have 2^32 bytes");
@@ -164,15 +200,6 @@ void write_binary(const std::vector<GltfPart>& parts, std::string text, AtomicFi
 
 WriteReport write_gltf(const TriangleMesh& mesh, std::span<const Attribute> attributes,
                        GltfContainer container, AtomicFile& out) {
-  const bool binary = container == GltfContainer::kBinary;
-  if (mesh.points.empty()) {
-    if (binary) {
-      write_binary({}, std::string(kEmptyAsset), out);
-    } else {
-      out.write(kEmptyAsset);
-    }
-    return {};
-  }
   const Point3 origin = float_origin(mesh.points);
   if (const std::optional<std::size_t> i = beyond_floats(mesh.points, origin)) {
     throw IoError(out.name(),
@@ -180,11 +207,10 @@ WriteReport write_gltf(const TriangleMesh& mesh, std::span<const Attribute> attr
   }
   WriteReport report{.rounded = rounded_axes(mesh.points, origin)};
   const std::vector<GltfPart> parts = gltf_parts(mesh, origin, attributes, report);
-  const std::string head = json(parts, origin);
-  if (binary) {
-    write_binary(parts, head + std::string(kEnd), out);
+  if (container == GltfContainer::kBinary) {
+    write_binary(parts, asset(parts, origin), out);
   } else {
-    write_text(parts, head, out);
+    write_text(parts, asset(parts, origin), out);
   }
   return report;
 }

@@ -23,8 +23,10 @@ constexpr std::array<std::string_view, 8> kTypes = {
     "char", "unsigned_char", "short", "unsigned_short", "int", "unsigned_int", "float", "double"};
 static_assert(kTypes.size() == std::variant_size_v<AttributeValues>);
 
-std::string line(std::string_view word, std::size_t count, std::string_view rest = "") {
-  return std::string(word).append(" ").append(std::to_string(count)).append(rest).append("\n");
+std::string line(std::string_view word, std::size_t count, std::string_view last = "") {
+  std::string text = std::string(word).append(" ").append(std::to_string(count));
+  if (!last.empty()) text.append(" ").append(last);
+  return text.append("\n");
 }
 
 void write_head(std::string_view data_set, AtomicFile& out) {
@@ -35,7 +37,7 @@ void write_head(std::string_view data_set, AtomicFile& out) {
 
 template <typename Float>
 void write_points(std::span<const Point3> points, AtomicFile& out) {
-  out.write(line("POINTS", points.size(), sizeof(Float) == sizeof(float) ? " float" : " double"));
+  out.write(line("POINTS", points.size(), sizeof(Float) == sizeof(float) ? "float" : "double"));
   std::string bytes;
   in_pieces(points.size(), [&](RowRange rows) {
     bytes.resize(rows.count * 3 * sizeof(Float));
@@ -54,7 +56,7 @@ void write_points(std::span<const Point3> points, AtomicFile& out) {
 template <std::size_t kCorners>
 void write_cells(std::string_view word, std::span<const std::array<std::uint32_t, kCorners>> cells,
                  AtomicFile& out) {
-  out.write(line(word, cells.size(), " " + std::to_string((kCorners + 1) * cells.size())));
+  out.write(line(word, cells.size(), std::to_string((kCorners + 1) * cells.size())));
   std::string bytes;
   in_pieces(cells.size(), [&](RowRange rows) {
     bytes.resize(rows.count * (kCorners + 1) * sizeof(std::uint32_t));
@@ -80,7 +82,7 @@ void write_array(const AttributeValues& values, std::size_t count, AtomicFile& o
 }
 
 void write_scalars(const Attribute& attribute, std::size_t count, AtomicFile& out) {
-  out.write("SCALARS " + attribute.name + " ");
+  out.write(std::string("SCALARS ").append(attribute.name).append(" "));
   out.write(kTypes[attribute.values.index()]);
   out.write(" 1\nLOOKUP_TABLE default\n");
   write_array(attribute.values, count, out);

@@ -16,7 +16,7 @@ void add_line(std::vector<std::string>& lines, const std::string& text,
               const std::vector<std::string>& names) {
   if (names.empty()) return;
   lines.push_back(text);
-  for (const std::string& name : names) lines.back() += " " + name;
+  for (const std::string& name : names) lines.back().append(" ").append(name);
 }
 
 /// Puts the surface's own normals in the place of any others.
