@@ -31,6 +31,14 @@ TEST_CASE("count, duplicates, invalid ones and the box") {
   CHECK(testing::names_in(dir) == std::vector<std::string>{"a.xyz"});
 }
 
+TEST_CASE("a float's digits, if the file has floats") {
+  const TempDir dir;
+  dir.file("a.ply",
+           "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+           "property float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n");
+  CHECK(testing::run(dir, {"-n", "a.ply"}).out.ends_with("  z from 0 to 0.1\n"));
+}
+
 TEST_CASE("the statuses and messages of a whole run") {
   const TempDir dir;
   dir.file("nan.xyz", std::string(kPoints) + "nan 1 1\n");
