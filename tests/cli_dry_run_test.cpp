@@ -12,7 +12,7 @@ namespace {
 using testing::Run;
 using testing::TempDir;
 
-constexpr const char* kPoints = "0 0 0\n1 0 0\n0 -2.5 0\n1 0 0\n0 0 1e10\n";
+constexpr const char* kPoints = "0 0 0\n1 0.5 0\n0 -2.5 0\n1 0.5 0\n0 0 1e10\n";
 
 TEST_CASE("count, duplicates, invalid ones and the box") {
   const TempDir dir;
@@ -26,9 +26,17 @@ TEST_CASE("count, duplicates, invalid ones and the box") {
     CHECK(run.out ==
           "a.xyz: 6 points\n"
           "  4 distinct, 1 duplicates, 1 invalid\n"
-          "  x from 0 to 1\n  y from -2.5 to 0\n  z from 0 to 1e+10\n");
+          "  x from 0 to 1\n  y from -2.5 to 0.5\n  z from 0 to 1e+10\n");
   }
   CHECK(testing::names_in(dir) == std::vector<std::string>{"a.xyz"});
+}
+
+TEST_CASE("a float's digits, if the file has floats") {
+  const TempDir dir;
+  dir.file("a.ply",
+           "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+           "property float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n");
+  CHECK(testing::run(dir, {"-n", "a.ply"}).out.ends_with("  z from 0 to 0.1\n"));
 }
 
 TEST_CASE("the statuses and messages of a whole run") {

@@ -25,7 +25,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Corner 0 is the least, orientation is kept.
 Triangle turned(Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 

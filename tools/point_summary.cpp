@@ -9,9 +9,13 @@
 namespace tetsculpt::cli {
 namespace {
 
-std::string shortest(double value) {
+/// The fewest digits that tell it from other numbers of the file's precision.
+std::string shortest(double value, Precision precision) {
   char digits[64];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+  char* const end = digits + sizeof digits;
+  return {digits, precision == Precision::kSingle
+                      ? std::to_chars(digits, end, static_cast<float>(value)).ptr
+                      : std::to_chars(digits, end, value).ptr};
 }
 
 }  // namespace
@@ -29,11 +33,13 @@ PointSummary summary_of(std::span<const Point3> points) {
   return out;
 }
 
-std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped) {
+std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped,
+                    Precision precision) {
   const Point3& low = points.low;
   const Point3& high = points.high;
-  const auto axis = [](const char* name, double from, double to) {
-    return std::string("  ") + name + " from " + shortest(from) + " to " + shortest(to) + '\n';
+  const auto axis = [&](const char* name, double from, double to) {
+    return std::string("  ") + name + " from " + shortest(from, precision) + " to " +
+           shortest(to, precision) + '\n';
   };
   return file + ": " + std::to_string(points.count + skipped) + " points\n  " +
          std::to_string(points.distinct) + " distinct, " +

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "io/precision.h"
 #include "kernel/point.h"
 #include "sculpt/reconstruct.h"
 
@@ -22,7 +23,8 @@ struct PointSummary {
 /// Throws InvalidPoint and std::length_error, as reconstruct does.
 PointSummary summary_of(std::span<const Point3> points);
 
-/// For people, some lines.
-std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped);
+/// For people, some lines. `skipped` more points are invalid; `precision` is that of the file.
+std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped,
+                    Precision precision);
 
 }  // namespace tetsculpt::cli

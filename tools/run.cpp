@@ -169,7 +169,8 @@ int describe_points(const Arguments& arguments, const Input& in, const RunFacts&
   const PointSummary points =
       with_points(arguments, in, [](const auto& p) { return summary_of(p); });
   if (!arguments.quiet) {
-    const int status = print(text_of(points, input_name(arguments), facts.skipped));
+    const int status =
+        print(text_of(points, input_name(arguments), facts.skipped, in.file.precision));
     if (status != kDone) return status;
   }
   if (points.span == Span::kSolid) return kDone;
