@@ -24,7 +24,7 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Each with its smallest corner first, in order: equal for equal sets of oriented triangles.
 Triangles canonical(Triangles triangles) {
-  for (auto& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  for (auto& t : triangles) std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   std::ranges::sort(triangles);
   return triangles;
 }

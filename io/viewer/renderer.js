@@ -113,8 +113,14 @@ class Renderer {
     gl.uniform3fv(at.front, rgb(kColours.surface));
     gl.uniform3fv(at.back, rgb(kColours.inside));
     gl.uniform1f(at.smoothness, smooth ? 1 : 0);
-    gl.polygonOffset(2, 2);
-    this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
+    // The inside gives way to the outside, which it meets at silhouettes and where tetrahedra are flat.
+    gl.enable(gl.CULL_FACE);
+    for (const [culled, offset] of [[gl.BACK, 2], [gl.FRONT, 12]]) {
+      gl.cullFace(culled);
+      gl.polygonOffset(offset, offset);
+      this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
+    }
+    gl.disable(gl.CULL_FACE);
   }
 
   /** In front of the surface, most of whose triangles are of the graph. */
