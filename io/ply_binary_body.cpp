@@ -4,121 +4,14 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "io/byte_order.h"
-#include "io/io_error.h"
+#include "io/ply_binary_cursor.h"
 
 namespace tetsculpt {
 namespace {
-
-// Calls `function` with a std::type_identity of the C++ type.
-template <typename Function>
-auto with_type(PlyType type, Function function) {
-  switch (type) {
-    case PlyType::kInt8:
-      return function(std::type_identity<std::int8_t>());
-    case PlyType::kUint8:
-      return function(std::type_identity<std::uint8_t>());
-    case PlyType::kInt16:
-      return function(std::type_identity<std::int16_t>());
-    case PlyType::kUint16:
-      return function(std::type_identity<std::uint16_t>());
-    case PlyType::kInt32:
-      return function(std::type_identity<std::int32_t>());
-    case PlyType::kUint32:
-      return function(std::type_identity<std::uint32_t>());
-    case PlyType::kFloat32:
-      return function(std::type_identity<float>());
-    case PlyType::kFloat64:
-      break;
-  }
-  return function(std::type_identity<double>());
-}
-
-class BinaryCursor {
- public:
-  BinaryCursor(std::string_view content, std::size_t begin, std::endian order,
-               const std::filesystem::path& path)
-      : content_(content), at_(begin), order_(order), path_(path) {}
-
-  std::endian order() const { return order_; }
-
-  // Makes sure that `count` times `size` bytes are left.
-  void require(std::uint64_t count, std::size_t size, std::string_view what) const {
-    const std::size_t left = content_.size() - at_;
-    if (count <= left / size) return;
-    fail(std::string(what) + ": " + std::to_string(count) + " of at least " + std::to_string(size) +
-         " bytes announced, " + std::to_string(left) + " bytes left");
-  }
-
-  // The next `size` bytes, which have to be there.
-  const char* take(std::size_t size) {
-    const char* const bytes = content_.data() + at_;
-    at_ += size;
-    return bytes;
-  }
-
-  double number(PlyType type) {
-    require(1, byte_size(type), "value");
-    return with_type(type, [this]<typename Number>(std::type_identity<Number>) {
-      return static_cast<double>(load_number<Number>(take(sizeof(Number)), order_));
-    });
-  }
-
-  // Leaves the cursor where it is on a bad length.
-  void skip_list(const PlyProperty& list) {
-    BinaryCursor behind_length = *this;
-    const double length = behind_length.number(*list.list_length);
-    if (length < 0) fail("negative length of a list");
-    const auto items = static_cast<std::uint64_t>(length);
-    behind_length.require(items, byte_size(list.type), "list items");
-    at_ = behind_length.at_;
-    take(static_cast<std::size_t>(items) * byte_size(list.type));
-  }
-
- private:
-  [[noreturn]] void fail(std::string_view reason) const {
-    throw IoError(path_, ByteOffset{at_}, reason);
-  }
-
-  std::string_view content_;
-  std::size_t at_;
-  std::endian order_;
-  const std::filesystem::path& path_;
-};
-
-bool has_list(const PlyElement& element) {
-  return std::ranges::any_of(element.properties,
-                             [](const PlyProperty& p) { return p.list_length.has_value(); });
-}
-
-// The bytes of an element, of which each list counts as an empty one.
-std::size_t least_size(const PlyElement& element) {
-  std::size_t size = 0;
-  for (const PlyProperty& p : element.properties) size += byte_size(p.list_length.value_or(p.type));
-  return size;
-}
-
-void skip_elements(const PlyElement& element, BinaryCursor& in) {
-  const std::size_t size = least_size(element);
-  if (size == 0) return;
-  in.require(element.count, size, "elements " + element.name);
-  if (!has_list(element)) {
-    in.take(static_cast<std::size_t>(element.count) * size);
-    return;
-  }
-  for (std::uint64_t i = 0; i < element.count; ++i) {
-    for (const PlyProperty& property : element.properties) {
-      if (property.list_length) {
-        in.skip_list(property);
-      } else {
-        in.number(property.type);
-      }
-    }
-  }
-}
 
 // Where a coordinate stands in a vertex without lists.
 struct Column {
@@ -157,7 +50,7 @@ std::vector<Point3> load_points(std::string_view bytes, std::size_t count,
   return points;
 }
 
-std::vector<Point3> vertices_of_fixed_size(const PlyElement& vertices, BinaryCursor& in) {
+std::vector<Point3> vertices_of_fixed_size(const PlyElement& vertices, PlyBinaryCursor& in) {
   const auto count = static_cast<std::size_t>(vertices.count);
   const std::size_t size = count * least_size(vertices);
   const std::string_view bytes(in.take(size), size);
@@ -178,14 +71,14 @@ std::vector<Point3> vertices_of_fixed_size(const PlyElement& vertices, BinaryCur
   });
 }
 
-std::vector<Point3> vertices_with_lists(const PlyElement& vertices, BinaryCursor& in) {
+std::vector<Point3> vertices_with_lists(const PlyElement& vertices, PlyBinaryCursor& in) {
   std::vector<Point3> points;
   points.reserve(static_cast<std::size_t>(vertices.count));
   while (points.size() < vertices.count) {
     std::array<double, 4> xyz_and_other{};
     for (const PlyProperty& property : vertices.properties) {
       if (property.list_length) {
-        in.skip_list(property);
+        in.skip(property);
       } else {
         xyz_and_other[static_cast<std::size_t>(property.role)] = in.number(property.type);
       }
@@ -199,9 +92,8 @@ std::vector<Point3> vertices_with_lists(const PlyElement& vertices, BinaryCursor
 
 std::vector<Point3> parse_ply_binary_body(const PlyHeader& header, std::string_view content,
                                           std::size_t begin, const std::filesystem::path& path) {
-  const bool little = header.format == PlyFormat::kLittleEndian;
-  BinaryCursor in(content, begin, little ? std::endian::little : std::endian::big, path);
-  for (const PlyElement& element : header.before_vertices) skip_elements(element, in);
+  PlyBinaryCursor in(content, begin, byte_order(header.format), path);
+  for (const PlyElement& element : header.before_vertices) in.skip_elements(element);
   in.require(header.vertices.count, least_size(header.vertices), "vertices");
   return has_list(header.vertices) ? vertices_with_lists(header.vertices, in)
                                    : vertices_of_fixed_size(header.vertices, in);

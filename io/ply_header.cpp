@@ -65,9 +65,9 @@ PlyProperty parse_property(TextScanner& in) {
     if (*property.list_length >= PlyType::kFloat32) in.fail("a list length must be an integer");
   }
   property.type = parse_type(in);
-  const std::string_view name = in.token();
-  if (name.empty()) in.fail("the property has no name");
-  property.role = role_of(name);
+  property.name = in.token();
+  if (property.name.empty()) in.fail("the property has no name");
+  property.role = role_of(property.name);
   return property;
 }
 
@@ -122,8 +122,8 @@ class HeaderBuilder {
     if (in_vertices_) {
       if (std::exchange(has_vertices_, true)) in_.fail("a second element vertex");
       header_.vertices = std::move(element);
-    } else if (!has_vertices_) {
-      header_.before_vertices.push_back(std::move(element));
+    } else {
+      others().push_back(std::move(element));
     }
     has_element_ = true;
   }
@@ -136,9 +136,13 @@ class HeaderBuilder {
         in_.fail("a coordinate for the second time");
       }
       header_.vertices.properties.push_back(property);
-    } else if (!has_vertices_) {
-      header_.before_vertices.back().properties.push_back(property);
+    } else {
+      others().back().properties.push_back(property);
     }
+  }
+
+  std::vector<PlyElement>& others() {
+    return has_vertices_ ? header_.after_vertices : header_.before_vertices;
   }
 
   TextScanner& in_;
@@ -159,6 +163,11 @@ PlyHeader parse_ply_header(TextScanner& in) {
     if (!in.next_line()) in.fail("the file ends within the header");
   } while (builder.take_line());
   return std::move(builder).finish();
+}
+
+std::size_t ply_body_begin(std::string_view content, std::size_t after_header) {
+  const bool lone_cr = content.starts_with("ply\r") && !content.starts_with("ply\r\n");
+  return lone_cr && content[after_header - 1] == '\n' ? after_header - 1 : after_header;
 }
 
 std::size_t byte_size(PlyType type) {

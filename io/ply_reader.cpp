@@ -18,12 +18,6 @@ Precision precision_of(const PlyElement& vertices) {
   return single ? Precision::kSingle : Precision::kDouble;
 }
 
-// If the lines of the header end with CR alone, an LF behind the last is already the first value.
-std::size_t body_begin(std::string_view content, std::size_t after_header) {
-  const bool lone_cr = content.starts_with("ply\r") && !content.starts_with("ply\r\n");
-  return lone_cr && content[after_header - 1] == '\n' ? after_header - 1 : after_header;
-}
-
 }  // namespace
 
 PointFile parse_ply_points(std::string_view content, const std::filesystem::path& path) {
@@ -32,7 +26,7 @@ PointFile parse_ply_points(std::string_view content, const std::filesystem::path
   const PlyHeader header = parse_ply_header(in);
   const Precision precision = precision_of(header.vertices);
   if (header.format == PlyFormat::kAscii) return {parse_ply_ascii_body(header, in), precision, {}};
-  const std::size_t begin = body_begin(content, in.next_offset());
+  const std::size_t begin = ply_body_begin(content, in.next_offset());
   return {parse_ply_binary_body(header, content, begin, path), precision, {}};
 }
 
