@@ -1,11 +1,11 @@
 // The command line program: parses, calls the library, reports. Exit statuses are in help().
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/io_error.h"
@@ -15,6 +15,9 @@
 #include "io/write_mesh.h"
 #include "sculpt/reconstruct.h"
 #include "tools/arguments.h"
+#include "tools/check.h"
+#include "tools/console.h"
+#include "tools/info.h"
 #include "tools/progress.h"
 #include "tools/report.h"
 #include "tools/version.h"
@@ -22,25 +25,8 @@
 namespace tetsculpt::cli {
 namespace {
 
-enum ExitStatus { kDone = 0, kUsage = 1, kBadInput = 2, kNoSolid = 3, kHidden = 4, kNoOutput = 5 };
-
-int fail(ExitStatus status, const std::string& message) {
-  std::fprintf(stderr, "tetsculpt: %s\n", message.c_str());
-  return status;
-}
-
-/// Puts text on stdout, and sees it through.
-int print(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return kDone;
-  return fail(kNoOutput, "standard output could not be written");
-}
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-bool finite(const Point3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 std::string no_solid(const Reconstruction& result, const Arguments& arguments) {
@@ -128,6 +114,9 @@ int run(const Arguments& arguments) {
 }
 
 int run_words(std::span<const char* const> words) {
+  const std::string_view first = words.empty() ? "" : words.front();
+  if (first == "check") return check(words.subspan(1));
+  if (first == "info") return info(words.subspan(1));
   Arguments arguments;
   try {
     arguments = parse_arguments(words);
