@@ -3,18 +3,14 @@
 
 #include <bit>
 #include <cstdint>
-#include <exception>
-#include <filesystem>
-#include <random>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "io/io_error.h"
 #include "io/obj_reader.h"
 #include "io/off_reader.h"
 #include "io/ply_reader.h"
 #include "io/text_points.h"
+#include "tests/support/io_mutations.h"
 #include "tests/support/io_ply_bytes.h"
 
 namespace tetsculpt {
@@ -22,9 +18,7 @@ namespace {
 
 using testing::bytes;
 using testing::ply_header;
-
-constexpr int kMutations = 20'000;  // of each file
-constexpr std::uint64_t kSeed = 77;
+using testing::survives;
 
 // Small counts, so that most of the numbers in a file matter.
 constexpr std::string_view kElements =
@@ -40,67 +34,6 @@ std::string binary_ply(std::endian order, std::string_view format) {
     file += bytes(0.5F, order) + bytes(0.1, order) + "\x02vw" + bytes(z, order);
   }
   return file;
-}
-
-class Mutator {
- public:
-  explicit Mutator(std::uint64_t seed) : random_(seed) {}
-
-  std::string mutated(std::string file) {
-    for (std::size_t changes = 1 + below(4); changes > 0; --changes) change(file);
-    return file;
-  }
-
- private:
-  std::size_t below(std::size_t limit) { return static_cast<std::size_t>(random_() % limit); }
-
-  void change(std::string& file) {
-    constexpr std::string_view kTelling = "\n\r\t ,;#/-+.eE0159\xFF\x7F\x80naif\0";
-    const std::size_t at = below(file.size() + 1);
-    const std::size_t length = below(8);
-    switch (below(6)) {
-      case 0:
-        if (at < file.size()) file[at] = static_cast<char>(file[at] ^ (1 << below(8)));
-        break;
-      case 1:
-        file.resize(at);
-        break;
-      case 2:
-        file.insert(at, 1 + length, static_cast<char>(below(256)));
-        break;
-      case 3:
-        file.insert(at, 1, kTelling[below(kTelling.size())]);
-        break;
-      case 4:
-        file.erase(at, length);
-        break;
-      default:
-        file.insert(at, file.substr(below(file.size() + 1), 4 * length));
-    }
-  }
-
-  std::mt19937_64 random_;
-};
-
-// Runs `parse` over mutations of `file`; true if some were read and some refused.
-template <typename Parse>
-bool survives(const std::string& file, Parse parse) {
-  Mutator mutator(kSeed);
-  int read = 0;
-  int refused = 0;
-  parse(file, "valid");
-  for (int i = 0; i < kMutations; ++i) {
-    const std::string content = mutator.mutated(file);
-    try {
-      parse(content, "mutated");
-      ++read;
-    } catch (const IoError&) {
-      ++refused;
-    } catch (const std::exception& other) {
-      FAIL("seed " << kSeed << ", mutation " << i << ": " << other.what());
-    }
-  }
-  return read > 0 && refused > 0;
 }
 
 TEST_CASE("text") {

@@ -143,7 +143,7 @@ std::string check_text(const CheckFacts& facts) {
   text += "\nclosed        " + yes_or_no(r.closed());
   text += "manifold      " + yes_or_no(r.crowded_edges.count + r.torn_vertices.count == 0);
   text += "oriented      " + yes_or_no(r.misdirected_edges.count == 0);
-  text += "outward       " + yes_or_no(outward(facts));
+  text += "outward       " + (facts.shape ? yes_or_no(outward(facts)) : "unknown\n");
   text += "components    " + number(r.shells.size());
   if (const auto sum = genus(r))
     text += ", genus " + number(*sum) + (r.shells.size() > 1 ? " in sum" : "");
@@ -174,7 +174,7 @@ std::string check_json(const CheckFacts& facts) {
   json.add("edge_manifold", r.crowded_edges.count == 0);
   json.add("vertex_manifold", r.torn_vertices.count == 0);
   json.add("oriented", r.misdirected_edges.count == 0);
-  json.add("outward", outward(facts));
+  json.add_raw("outward", !facts.shape ? "null" : outward(facts) ? "true" : "false");
   json.add("components", r.shells.size());
   json.add_raw("genus", optional_number(genus(r)));
   json.add_raw("volume", facts.shape ? json_number(facts.shape->volume) : "null");
