@@ -8,20 +8,9 @@
 
 #include "io/io_error.h"
 #include "io/parse_number.h"
+#include "io/quoted.h"
 
 namespace tetsculpt {
-namespace {
-
-// For messages: short and printable whatever the file holds.
-std::string quoted(std::string_view token) {
-  constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : token.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (token.size() > kLongest ? "...'" : "'");
-}
-
-}  // namespace
-
 TextScanner::TextScanner(std::string_view text, const std::filesystem::path& path,
                          const TextDialect& dialect)
     : text_(text), path_(path), dialect_(dialect) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 /// Points, and the one order in which everything that needs an order takes them.
 namespace tetsculpt {
 
@@ -12,6 +14,11 @@ struct Point3 {
   /// Equality of values: -0.0 equals 0.0.
   friend bool operator==(const Point3&, const Point3&) = default;
 };
+
+/// No coordinate is NaN or infinite.
+inline bool finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 /// Lexicographic order by x, then y, then z. Strict and total on finite points.
 inline bool lexicographically_less(const Point3& a, const Point3& b) {

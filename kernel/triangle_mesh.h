@@ -28,7 +28,8 @@ struct Topology {
   std::size_t genus = 0;         ///< summed over components; 0 unless closed, manifold, oriented
 };
 
-/// Judges `mesh`. Unused points do not count. Cost: a sort of the half-edges.
+/// Judges `mesh`; kernel/mesh_report.h tells more. Unused points and triangles with equal corners
+/// do not count. Cost: a sort of the half-edges.
 Topology topology(const TriangleMesh& mesh);
 
 /// The first thing wrong with `mesh` as an output of this library: an index out of range, a

@@ -8,41 +8,16 @@
 #include <vector>
 
 #include "kernel/triangle_mesh.h"
+#include "tests/support/meshes.h"
 
 namespace tetsculpt {
 namespace {
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-TriangleMesh mesh_of(Triangles triangles) {
-  std::uint32_t n = 0;
-  for (const auto& t : triangles) n = std::max({n, t[0] + 1, t[1] + 1, t[2] + 1});
-  TriangleMesh mesh{{}, std::move(triangles)};
-  for (std::uint32_t i = 0; i < n; ++i) mesh.points.push_back({double(i), double(i * i), 0});
-  return mesh;
-}
-
-Triangles tetrahedron(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  return {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
-}
-
-Triangles joined(Triangles a, const Triangles& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-/// m x n squares, both ways around; vertices from `first`.
-Triangles torus(std::uint32_t m, std::uint32_t n, std::uint32_t first = 0) {
-  Triangles triangles;
-  const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + i % m * n + j % n; };
-  for (std::uint32_t i = 0; i < m; ++i) {
-    for (std::uint32_t j = 0; j < n; ++j) {
-      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return triangles;
-}
+using testing::joined;
+using testing::mesh_of;
+using testing::tetrahedron;
+using testing::torus;
+using testing::Triangles;
 
 /// A strip of n squares whose ends are joined after half a turn if `twisted` says so.
 enum class Strip { kPlain, kTwisted };

@@ -2,9 +2,12 @@
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "tools/arguments.h"
+#include "tools/check.h"
 #include "tools/help.h"
+#include "tools/info.h"
 #include "tools/interrupt.h"
 #include "tools/messages.h"
 #include "tools/run.h"
@@ -15,6 +18,9 @@ namespace tetsculpt::cli {
 namespace {
 
 int run_words(std::span<const char* const> words) {
+  const std::string_view first = words.empty() ? "" : words.front();
+  if (first == "check") return check(words.subspan(1));
+  if (first == "info") return info(words.subspan(1));
   Arguments arguments;
   try {
     arguments = parse_arguments(words);

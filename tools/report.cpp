@@ -4,45 +4,18 @@
 #include <array>
 #include <charconv>
 
+#include "tools/json.h"
+#include "tools/messages.h"
 #include "tools/options.h"
 #include "tools/version.h"
 
 namespace tetsculpt::cli {
 namespace {
 
-/// Writes the members of one JSON object in the order they are added.
-class JsonObject {
- public:
-  void add(std::string_view key, std::size_t value) { add_raw(key, std::to_string(value)); }
-  void add(std::string_view key, bool value) { add_raw(key, value ? "true" : "false"); }
-  void add(std::string_view key, const std::string& value) { add_raw(key, '"' + value + '"'); }
-  void add(std::string_view key, double seconds) {
-    char digits[32];
-    const auto end =
-        std::to_chars(digits, digits + sizeof digits, seconds, std::chars_format::fixed, 6);
-    add_raw(key, std::string_view(digits, end.ptr));
-  }
-  void add(std::string_view key, const JsonObject& object) { add_raw(key, object.text()); }
-  std::string text() const { return '{' + members_ + '}'; }
-
- private:
-  void add_raw(std::string_view key, std::string_view value) {
-    if (!members_.empty()) members_ += ", ";
-    members_.append("\"").append(key).append("\": ").append(value);
-  }
-  std::string members_;
-};
-
 bool manifold(const Topology& t) { return t.edge_manifold && t.vertex_manifold; }
 
 std::size_t merged(const Reconstruction& result, const RunFacts& facts) {
   return facts.points - facts.skipped - result.counts.vertices;
-}
-
-std::string counted(std::size_t n, std::string_view noun) {
-  if (n != 1 && noun == "tetrahedron") noun = "tetrahedra";
-  const bool plain = noun.ends_with('a');
-  return std::to_string(n) + ' ' + std::string(noun) + (n == 1 || plain ? "" : "s");
 }
 
 constexpr std::array<StatsMember, 21> kStatsMembers{{

@@ -1,7 +1,6 @@
 #include "tools/run.h"
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <stdexcept>
@@ -30,10 +29,6 @@ class Clock {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-bool finite(const Point3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 std::string input_name(const Arguments& arguments) {
   return arguments.reads_standard_input() ? "standard input" : arguments.input.string();

@@ -12,8 +12,9 @@ namespace tetsculpt::testing {
 
 using JsonMembers = std::map<std::string, std::string>;
 
-/// Reads objects of numbers, words, truth values and objects. JsonMembers of an inner object are
-/// named outer.inner; a member that occurs twice, or a thing that is no JSON, is an exception.
+/// Reads objects of numbers, words, truth values, objects and arrays. Members of an inner object
+/// are named outer.inner, items of an array outer[0]; a member that occurs twice, or a thing that
+/// is no JSON, is an exception.
 class JsonReader {
  public:
   explicit JsonReader(std::string_view text) : text_(text) {}
@@ -30,23 +31,38 @@ class JsonReader {
     expect('{');
     if (take('}')) return;
     do {
-      read_value(prefix + read_word());
+      const std::string name = prefix + read_word();
+      expect(':');
+      read_value(name);
     } while (take(','));
     expect('}');
   }
 
+  void read_array(const std::string& name) {
+    expect('[');
+    if (take(']')) return;
+    std::size_t count = 0;
+    do {
+      read_value(name + '[' + std::to_string(count++) + ']');
+    } while (take(','));
+    expect(']');
+  }
+
   void read_value(const std::string& name) {
-    expect(':');
     skip_blanks();
     std::string value;
     if (text_.starts_with('{')) {
       value = "object";
       read_object(name + ".");
+    } else if (text_.starts_with('[')) {
+      value = "array";
+      read_array(name);
     } else if (text_.starts_with('"')) {
       value = '"' + read_word() + '"';
     } else {
-      const auto end = std::ranges::find_if_not(
-          text_, [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '-'; });
+      const auto end = std::ranges::find_if_not(text_, [](unsigned char c) {
+        return std::isalnum(c) || c == '.' || c == '-' || c == '+';
+      });
       value = std::string(text_.begin(), end);
       text_.remove_prefix(value.size());
     }
@@ -55,9 +71,14 @@ class JsonReader {
 
   std::string read_word() {
     expect('"');
-    const std::size_t end = text_.find('"');
-    std::string word(text_.substr(0, end));
-    text_.remove_prefix(end + 1);
+    std::string word;
+    while (!text_.starts_with('"')) {
+      if (text_.starts_with('\\')) text_.remove_prefix(1);  // before '"' and itself alone
+      if (text_.empty()) throw std::runtime_error("no end of a word");
+      word += text_.front();
+      text_.remove_prefix(1);
+    }
+    text_.remove_prefix(1);
     return word;
   }
 

@@ -1,0 +1,176 @@
+// `tetsculpt check`: what it says of good meshes and of broken ones, and its exit statuses.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "io/write_mesh.h"
+#include "tests/support/meshes.h"
+#include "tests/support/sculpt_cli.h"
+#include "tests/support/sculpt_json.h"
+
+namespace tetsculpt {
+namespace {
+
+using testing::cube;
+using testing::JsonReader;
+using testing::Run;
+using testing::TempDir;
+using Words = std::vector<std::string>;
+
+Run check(const TempDir& dir, const TriangleMesh& mesh, Words more = {},
+          const std::string& name = "m.off") {
+  write_mesh(mesh, dir.path() / name);
+  more.insert(more.begin(), {"check", name});
+  return testing::run(dir, more);
+}
+
+bool says(const Run& run, const std::string& text) {
+  return run.out.find(text) != std::string::npos;
+}
+
+TEST_CASE("a good mesh") {
+  const TempDir dir;
+  const Run run = check(dir, cube(-1, 1));
+  CHECK(run.status == 0);
+  CHECK(run.err.empty());
+  CHECK(says(run, "m.off: 12 triangles, 18 edges, 8 vertices\n"));
+  CHECK(says(run, "genus 0, volume 8\n"));
+  CHECK(says(run, "\nno faults\n"));
+  CHECK_FALSE(says(run, "NO"));
+}
+
+TEST_CASE("each kind of fault is named and changes the status") {
+  const TempDir dir;
+  const auto faulty = [&](const TriangleMesh& mesh, const std::string& text) {
+    const Run run = check(dir, mesh);
+    INFO(run.out);
+    CHECK(run.status == 6);
+    CHECK(says(run, "fault         " + text));
+    CHECK_FALSE(says(run, "no faults"));
+  };
+  TriangleMesh mesh = cube(-1, 1);
+  mesh.triangles.pop_back();
+  faulty(mesh, "3 edges with one triangle, in 1 loop; the first joins vertices 1 and 5\n");
+  mesh = cube(-1, 1);
+  mesh.points.push_back({3, 3, 3});
+  faulty(mesh, "1 vertex of no triangle; it is number 8\n");
+  mesh.triangles.push_back({0, 3, 8});
+  faulty(mesh, "1 edge with more than two triangles; it joins vertices 0 and 3\n");
+  mesh = cube(-1, 1);
+  mesh.triangles[3] = {7, 4, 6};
+  faulty(mesh, "3 edges along which triangles run in the same direction");
+  mesh = cube(-1, 1);
+  mesh.triangles.push_back(mesh.triangles[5]);
+  faulty(mesh, "1 triangle with the corners of an earlier one; it is number 12\n");
+  mesh = cube(-1, 1);
+  mesh.triangles.push_back({1, 1, 2});
+  faulty(mesh, "1 triangle without area; it is number 12\n");
+  faulty(testing::inverted(cube(-1, 1)), "1 component facing into the solid; it is number 0\n");
+  mesh = testing::with(cube(-1, 1), cube(1, 2));
+  faulty(mesh, "1 vertex at the position of an earlier one; it is number 8\n");
+  for (auto& t : mesh.triangles) {
+    for (auto& v : t) v = v == 8 ? 7 : v;
+  }
+  faulty(mesh, "1 vertex whose triangles are not one cycle or fan; it is number 7\n");
+  faulty({}, "no triangles\n");
+}
+
+TEST_CASE("vertices that are not finite are a fault, not a failure") {
+  const TempDir dir;
+  dir.file("m.off",
+           "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 nan\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  const Run run = testing::run(dir, {"check", "m.off"});
+  CHECK(run.status == 6);
+  CHECK(says(run, "closed        yes\n"));
+  CHECK(says(run, "outward       unknown\n"));
+  CHECK(says(run, "1 vertex with a NaN or infinite coordinate; it is number 2\n"));
+}
+
+TEST_CASE("points: all are vertices, and no vertex is anything else") {
+  const TempDir dir;
+  const TriangleMesh mesh = cube(0.1, 0.7);
+  dir.file("p.xyz", testing::xyz(mesh.points) + testing::xyz({mesh.points[2]}) + "nan 0 0\n");
+  for (const std::string name : {"m.off", "m.stl"}) {
+    INFO(name);
+    const Run run = check(dir, mesh, {"--points", "p.xyz"}, name);
+    CHECK(run.status == 0);
+    CHECK(says(run, "8 distinct of 10 in p.xyz, 1 invalid one left out"));
+    CHECK(says(run, "as 32-bit floats") == (name == "m.stl"));
+  }
+  dir.file("q.xyz", testing::xyz(mesh.points) + "0 0 0\n");
+  const Run missing = check(dir, mesh, {"--points=q.xyz"});
+  CHECK(missing.status == 6);
+  CHECK(says(missing, "fault         1 point of q.xyz not among the vertices; it is number 8\n"));
+  dir.file("r.xyz", "0.1 0.1 0.1\n");
+  const Run invented = check(dir, mesh, {"--points", "r.xyz"});
+  CHECK(says(invented, "7 vertices not among the points of r.xyz; the first is number 1\n"));
+}
+
+TEST_CASE("weld") {
+  const TempDir dir;
+  TriangleMesh soup;
+  for (const auto& triangle : cube(-1, 1).triangles) {
+    TriangleMesh one{{}, {{0, 1, 2}}};
+    for (const auto v : triangle) one.points.push_back(cube(-1, 1).points[v]);
+    soup = testing::with(soup, one);
+  }
+  CHECK(check(dir, soup).status == 6);
+  const Run run = check(dir, soup, {"--weld"});
+  CHECK(run.status == 0);
+  CHECK(says(run, "8 vertices (28 joined to others)\n"));
+}
+
+TEST_CASE("json") {
+  const TempDir dir;
+  const TriangleMesh mesh = testing::with(cube(-2, 2), testing::inverted(cube(-1, 1)));
+  dir.file("p.xyz", testing::xyz(mesh.points));
+  for (const std::string option : {"--json", "--stats"}) {
+    const Run run = check(dir, mesh, {option, "--points", "p.xyz"}, "a\"b.off");
+    CHECK(run.status == 0);
+    CHECK(std::ranges::count(run.out, '\n') == 1);
+    auto json = JsonReader(run.out).read();
+    CHECK(json["file"] == "\"a\"b.off\"");
+    CHECK(json["flawless"] == "true");
+    CHECK(json["components"] == "2");
+    CHECK(json["genus"] == "0");
+    CHECK(json["volume"] == "56");
+    CHECK(json["outward"] == "true");
+    CHECK(json["faults.open_edges"] == "0");
+    CHECK(json["faults.missing"] == "0");
+    CHECK(json["points.distinct"] == "16");
+    CHECK(json["shells[1].depth"] == "1");
+    CHECK(json["shells[1].volume"] == "-8");
+  }
+  TriangleMesh open = cube(-1, 1);
+  open.triangles.pop_back();
+  const Run run = check(dir, open, {"--json"});
+  CHECK(run.status == 6);
+  auto json = JsonReader(run.out).read();
+  CHECK(json["flawless"] == "false");
+  CHECK(json["faults.open_edges"] == "3");
+  CHECK(json["shells[0].volume"] == "null");
+}
+
+TEST_CASE("what cannot be judged has another status") {
+  const TempDir dir;
+  dir.file("m.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+  const Run broken = testing::run(dir, {"check", "m.off"});
+  CHECK(broken.status == 2);
+  CHECK(broken.out.empty());
+  CHECK(broken.err == "tetsculpt: m.off:5: a face names vertex 3 of 3\n");
+  CHECK(testing::run(dir, {"check", "none.ply"}).status == 2);
+  CHECK(check(dir, cube(-1, 1), {"--points", "none.xyz"}).status == 2);
+  dir.file("m.off", "OFF 3 1 0\n0 0 0\n1e300 1e-300 0\n0 1 0\n3 0 1 2\n");
+  CHECK(testing::run(dir, {"check", "m.off"}).status == 2);
+  for (const Words& words : {Words{"check"}, Words{"check", "a.ply", "b.ply"},
+                             Words{"check", "a.ply", "--points"}, Words{"check", "--no"}}) {
+    CHECK(testing::run(dir, words).status == 1);
+  }
+  CHECK(testing::run(dir, {"check", "--help"}).status == 0);
+  CHECK(testing::run(dir, {"./check", "out.off"}).status == 2);  // a file of points
+}
+
+}  // namespace
+}  // namespace tetsculpt
