@@ -82,8 +82,9 @@ TEST_CASE("wrong usage says why, on stderr, in one line") {
       {{"--criterion", "best", "a.xyz", "b.ply"},
        "--criterion: 'best' is none of area, gamma, longest, constrained"},
       {{"a.xyz", "b.doc"},
-       "b.doc: unknown kind of output file; use .ply, .obj, .off, .stl or .wrl"},
-      {{"a.xyz", "b"}, "b: unknown kind of output file; use .ply, .obj, .off, .stl or .wrl"}};
+       "b.doc: unknown kind of output file; use .ply, .obj, .off, .stl, .wrl, .gltf, .glb or .vtk"},
+      {{"a.xyz", "b"},
+       "b: unknown kind of output file; use .ply, .obj, .off, .stl, .wrl, .gltf, .glb or .vtk"}};
   for (const auto& [words, message] : lines) {
     const Run run = testing::run(dir, words);
     CHECK(run.status == 1);
