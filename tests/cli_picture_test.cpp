@@ -63,7 +63,8 @@ TEST_CASE("wrong usage") {
       {{"a.xyz", "b.ply", "--up", "x"}, "--view and --up need --picture or --viewer"},
       {{"a.xyz", "b.ply", "--up", "w"}, "--up: 'w' is none of x, y, z"},
       {{"a.xyz", "b.png"},
-       "b.png: unknown kind of output file; use .ply, .obj, .off, .stl, .wrl, .gltf, .glb or .vtk"}};
+       "b.png: unknown kind of output file; use .ply, .obj, .off, .stl, .wrl, .gltf, .glb or "
+       ".vtk"}};
   for (const std::string word : {"", ",", "1", "1,", ",1", "1,2,3", "1;2", "a,b", "1,2x", "1, 2",
                                  "nan,0", "0,inf", "0,90.5", "0,-91", "1e999,0"}) {
     lines.push_back({{"--view", word, "--picture", "b.png", "a.xyz", "b.ply"},

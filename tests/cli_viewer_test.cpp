@@ -51,7 +51,8 @@ TEST_CASE("wrong usage") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> lines{
       {{"a.xyz", "b.ply", "--viewer"}, "--viewer needs a value"},
       {{"a.xyz", "b.ply", "--viewer="}, "--viewer needs a file"},
-      {{"a.xyz", "b.ply", "--viewer", "b.htm"}, "b.htm: unknown kind of viewer; use .html; did you mean .html?"}};
+      {{"a.xyz", "b.ply", "--viewer", "b.htm"},
+       "b.htm: unknown kind of viewer; use .html; did you mean .html?"}};
   for (const auto& [words, message] : lines) {
     const Run run = testing::run(dir, words);
     CHECK(run.status == 1);

@@ -1,6 +1,4 @@
 // Legacy VTK files, read back by a reader of their own.
-#include "tests/support/io_vtk.h"
-
 #include <doctest/doctest.h>
 
 #include <string>
@@ -10,6 +8,7 @@
 #include "tests/support/io_all_attributes.h"
 #include "tests/support/io_files.h"
 #include "tests/support/io_hard_points.h"
+#include "tests/support/io_vtk.h"
 
 namespace tetsculpt {
 namespace {
