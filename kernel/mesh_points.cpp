@@ -1,6 +1,7 @@
 #include "kernel/mesh_points.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace tetsculpt {
@@ -19,8 +20,7 @@ class PointSet {
       return lexicographically_less(points_[a], points_[b]);
     });
     const auto equal = [&](std::uint32_t a, std::uint32_t b) { return points_[a] == points_[b]; };
-    const auto tail = std::ranges::unique(indices_, equal);
-    indices_.erase(tail.begin(), tail.end());
+    indices_.erase(std::unique(indices_.begin(), indices_.end(), equal), indices_.end());
   }
 
   std::size_t size() const { return indices_.size(); }

@@ -13,7 +13,7 @@ foreach(
 endforeach()
 
 if(TARGET tetsculpt_cli)
-  foreach(name cli_check_test cli_info_test)
+  foreach(name cli_check_points_test cli_check_test cli_info_test)
     tetsculpt_test(${name})
     target_link_libraries(${name} PRIVATE tetsculpt_cli_support)
   endforeach()
