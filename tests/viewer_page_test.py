@@ -33,6 +33,7 @@ def difference(a, b):
 
 
 def text(browser, selector):
+    browser.settle()
     return browser.evaluate(f"document.querySelector('{selector}').textContent")
 
 

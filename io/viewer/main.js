@@ -9,19 +9,6 @@ function say(text) {
   message.textContent = text ?? "";
 }
 
-/** Calls `draw` once before the next frame, however often it is asked to. */
-function drawnOnDemand(draw) {
-  let asked = false;
-  return () => {
-    if (asked) return;
-    asked = true;
-    requestAnimationFrame(() => {
-      asked = false;
-      draw();
-    });
-  };
-}
-
 /** The canvas has as many pixels as the screen has under it. */
 function fitCanvas(canvas, camera, changed) {
   const fit = () => {
@@ -55,7 +42,7 @@ function start() {
   const surface = new Surface(scene);
   const camera = new Camera(radiusOf(scene));
   const renderer = new Renderer(canvas, scene, surface);
-  const changed = drawnOnDemand(() => {
+  const changed = onceAFrame(() => {
     const shown = Object.fromEntries(switches.map((box) => [box.id, box.checked]));
     renderer.draw(camera, shown);
   });

@@ -2,11 +2,28 @@
 
 const kSecondsToPlay = 12;
 
+/** Calls `work` once when the next frame comes, however often it is asked to. */
+function onceAFrame(work) {
+  let asked = false;
+  return () => {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(() => {
+      asked = false;
+      work();
+    });
+  };
+}
+
 class Timeline {
-  /** Calls `show(step)` whenever another step is to be seen; it returns the surface's triangles. */
+  /**
+   * Calls `show(step)`, which returns the surface's triangles, where another step is to be seen: the
+   * last one at once, later ones when the next frame comes, however far the slider has gone by then.
+   */
   constructor(steps, show) {
     this.steps = steps;
-    this.show = show;
+    this.step = steps;
+    this.showSoon = onceAFrame(() => this.tellPlace(show(this.step)));
     this.slider = document.getElementById("step");
     this.place = document.getElementById("place");
     this.playButton = document.getElementById("play");
@@ -16,7 +33,8 @@ class Timeline {
     document.getElementById("back").addEventListener("click", () => this.goTo(this.step - 1));
     document.getElementById("next").addEventListener("click", () => this.goTo(this.step + 1));
     document.getElementById("timeline").hidden = steps === 0;
-    this.goTo(steps);
+    this.slider.value = steps;
+    this.tellPlace(show(steps));
   }
 
   /** Stops what plays and goes to a step. */
@@ -29,10 +47,13 @@ class Timeline {
     const bounded = Math.min(this.steps, Math.max(0, step));
     if (bounded === this.step) return;
     this.step = bounded;
-    const triangles = this.show(bounded);
     this.slider.value = bounded;
+    this.showSoon();
+  }
+
+  tellPlace(triangles) {
     const text =
-      `step ${bounded.toLocaleString("en")} of ${this.steps.toLocaleString("en")}, ` +
+      `step ${this.step.toLocaleString("en")} of ${this.steps.toLocaleString("en")}, ` +
       `${triangles.toLocaleString("en")} triangles`;
     this.place.textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
