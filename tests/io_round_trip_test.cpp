@@ -23,11 +23,11 @@ constexpr std::uint64_t kSeed = 20240611;
 constexpr std::size_t kPatterns = 10'000;
 
 PointFile written_and_read(const std::vector<Point3>& points, const std::string& name,
-                           Precision precision) {
+                           Precision precision, PlyEncoding ply_encoding = PlyEncoding::kBinary) {
   const TempDir dir;
   TriangleMesh mesh{points, {}};
   if (points.size() >= 3) mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
-  write_mesh(mesh, dir.path() / name, {.precision = precision});
+  write_mesh(mesh, dir.path() / name, {.precision = precision, .ply_encoding = ply_encoding});
   return read_points(dir.path() / name);
 }
 
@@ -38,6 +38,9 @@ void check_doubles(const std::vector<Point3>& points) {
     CHECK(same_bits(file.points, points));
     CHECK(file.precision == Precision::kDouble);
   }
+  CHECK(same_bits(
+      written_and_read(points, "mesh.ply", Precision::kDouble, PlyEncoding::kAscii).points,
+      points));
 }
 
 void check_floats(const std::vector<Point3>& points) {
@@ -48,6 +51,9 @@ void check_floats(const std::vector<Point3>& points) {
     const bool has_floats = name == "mesh.ply";
     CHECK(file.precision == (has_floats ? Precision::kSingle : Precision::kDouble));
   }
+  CHECK(same_bits(
+      written_and_read(points, "mesh.ply", Precision::kSingle, PlyEncoding::kAscii).points,
+      points));
 }
 
 TEST_CASE("no points") {
