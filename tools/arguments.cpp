@@ -80,7 +80,9 @@ class Parser {
     }
     if (out_.action == Action::kReconstruct) {
       place_files();
-      out_.options.keep = {.graphs = !out_.graphs.empty(), .tetrahedra = !out_.tetrahedra.empty()};
+      out_.options.keep = {.graphs = !out_.graphs.empty() || !out_.viewer.empty(),
+                           .tetrahedra = !out_.tetrahedra.empty(),
+                           .record = !out_.viewer.empty()};
     }
     return std::move(out_);
   }

@@ -150,10 +150,7 @@ constexpr Option kOptions[] = {
      "write a page that shows the surface in any browser: to be turned, with points, graphs and "
      "the "
      "steps that led to it (.html, one file, needs no network)",
-     [](Arguments& a, Words value) {
-       a.viewer.clear(), note_file(a.viewer, "--viewer", value);
-       a.options.keep.graphs = a.options.keep.record = true;
-     }},
+     [](Arguments& a, Words value) { a.viewer.clear(), note_file(a.viewer, "--viewer", value); }},
     {kMore, 0, "view", kValue, "AZ,EL",
      "from where, in degrees: AZ around the upright axis, EL above (default: 30,20)",
      [](Arguments& a, Words value) { note_angles(value, a.view), a.view_given = true; }},
