@@ -8,6 +8,7 @@
 #include "kernel/delaunay.h"
 #include "kernel/edge_order.h"
 #include "kernel/emst.h"
+#include "kernel/gabriel.h"
 #include "kernel/large_array.h"
 #include "sculpt/boundary.h"
 
