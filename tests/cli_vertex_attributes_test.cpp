@@ -1,6 +1,7 @@
 // Which input point's attributes a vertex of the surface gets.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -24,9 +25,9 @@ Numbers sources(const std::vector<Point3>& points, const Reconstruction& result,
   const Numbers& of_vertices = std::get<Numbers>(taken[0].values);
   REQUIRE(of_vertices.size() == result.mesh.points.size());
   for (std::size_t v = 0; v < of_vertices.size(); ++v) {
-    std::size_t i = 0;
-    while (index_in_file[i] != of_vertices[v]) ++i;
-    CHECK(points[i] == result.mesh.points[v]);
+    const auto it = std::ranges::find(index_in_file, of_vertices[v]);
+    REQUIRE(it != index_in_file.end());
+    CHECK(points[static_cast<std::size_t>(it - index_in_file.begin())] == result.mesh.points[v]);
   }
   return of_vertices;
 }
