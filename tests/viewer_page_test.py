@@ -23,7 +23,7 @@ def check(holds, what):
 
 def scene(browser):
     """The pixels right of the panel and above the timeline, without the edge that shows the focus."""
-    return pixels(browser.screenshot(285, 5, WIDTH - 290, 375))
+    return pixels(browser.screenshot(285, 5, WIDTH - 290, 410))
 
 
 def difference(a, b):
@@ -141,6 +141,29 @@ def check_dark(browser, first):
     check(max(scene(browser)[0][-1]) < 60 < min(first[0][-1]), "dark where the system is")
 
 
+def check_hidden(cli, folder):
+    """set_with_hidden_point of tests/support/sculpt_stages.cpp."""
+    points, page = folder / "hidden.xyz", folder / "hidden.html"
+    points.write_text("8 10 14\n10 14 14\n1002 1005 259\n1 8 11\n1015 1006 255\n6 14 10\n"
+                      "1003 1005 254\n3012 9001 6756\n5010 25002 31254\n4001 16008 16002\n"
+                      "1003 1008 264\n3003 9011 6763\n2006 4014 2015\n")
+    # From a side on which the panel does not cover it, and from farther off.
+    run = subprocess.run([cli, "--quiet", "--method", "paper", "--view", "210,20", "--viewer", page,
+                          points, folder / "a.ply"], stderr=subprocess.DEVNULL)
+    check(run.returncode == 4, "a set of which one point stays hidden")
+    with Browser(WIDTH, HEIGHT) as browser:
+        browser.open(page.as_uri(), READY)
+        check(text(browser, "#hidden ~ output") == "1", "the page counts it")
+        for _ in range(4):
+            browser.key("-")
+        with_it = scene(browser)
+        magenta = [p for row in with_it for p in row if min(p[0], p[2]) > p[1] + 90]
+        check(20 < len(magenta) < 300, "and shows it, through the surface")
+        browser.click("#hidden")
+        check(difference(scene(browser), with_it) >= len(magenta), "its switch takes it away")
+        check(not browser.errors, f"no errors: {browser.errors}")
+
+
 def check_without_webgl(url):
     with Browser(WIDTH, HEIGHT, ["--disable-3d-apis"]) as browser:
         browser.open(url, "!document.getElementById('message').textContent.startsWith('Loading')")
@@ -167,6 +190,7 @@ def main(cli, points):
             check_dark(browser, first)
             check(not browser.errors, f"no errors: {browser.errors}")
             check(browser.requests == [url], f"nothing else was loaded: {browser.requests[1:]}")
+        check_hidden(cli, pathlib.Path(folder))
         check_without_webgl(url)
 
 

@@ -36,6 +36,8 @@ function setUpSwitches(switches, counts, changed) {
 }
 
 function start() {
+  // Where the panel would cover the scene, it is folded at first.
+  document.querySelector("details").open = !window.matchMedia("(max-width: 640px)").matches;
   const canvas = document.getElementById("view");
   const switches = kLayers.map((id) => document.getElementById(id));
   const scene = takeScene();

@@ -3,6 +3,7 @@
 import base64
 import json
 import os
+import select
 import shutil
 import struct
 import subprocess
@@ -24,6 +25,8 @@ class Browser:
              "--disable-gpu-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
              "--mute-audio", "--disable-background-networking"]
 
+    PATIENCE = 180  # seconds for one answer
+
     def __init__(self, width, height, flags=()):
         self.errors = []
         self.requests = []
@@ -44,8 +47,8 @@ class Browser:
         self._process = subprocess.Popen(
             [chromium(), *self.FLAGS, *flags, f"--user-data-dir={self._profile}",
              f"--window-size={width},{height}", "about:blank"],
-            preexec_fn=place_pipes, close_fds=False, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
+            preexec_fn=place_pipes, close_fds=False, stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         for fd in (to_read, from_write, *high):
             os.close(fd)
         target = self.call("Target.createTarget", url="about:blank")
@@ -89,9 +92,10 @@ class Browser:
 
     def _next_message(self):
         while b"\0" not in self._received:
-            piece = os.read(self._from, 1 << 20)
+            ready = select.select([self._from], [], [], self.PATIENCE)[0]
+            piece = os.read(self._from, 1 << 20) if ready else b""
             if not piece:
-                raise RuntimeError("the browser has gone")
+                raise RuntimeError("the browser has gone" if ready else "the browser hangs")
             self._received += piece
         message, self._received = self._received.split(b"\0", 1)
         return json.loads(message)
