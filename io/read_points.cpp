@@ -25,9 +25,10 @@ PointFormat format_of(std::string_view content, const std::filesystem::path& pat
   if (const auto format = point_format_of(path)) return *format;
   if (const auto format = apparent_format(content)) return *format;
   const std::string extension = lowercase_extension(path);
-  throw IoError(path, "not a known kind of point file" +
-                          (extension.size() < 2 ? "" : ", nor is the extension '" + extension + "'") +
-                          " (known: " + point_format_extensions() + ")");
+  throw IoError(path,
+                "not a known kind of point file" +
+                    (extension.size() < 2 ? "" : ", nor is the extension '" + extension + "'") +
+                    " (known: " + point_format_extensions() + ")");
 }
 
 PointFile parse(std::string_view content, const std::filesystem::path& path, PointFormat format) {
