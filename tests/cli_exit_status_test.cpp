@@ -79,7 +79,10 @@ TEST_CASE("2: a file that is not there, is no file, or is broken") {
   check_failure(read("none.xyz"), 2, "none.xyz: cannot open: No such file or directory");
   std::filesystem::create_directory(dir.path() / "folder.xyz");
   check_failure(read("folder.xyz"), 2, "folder.xyz: is a directory");
-  check_failure(read("points.doc"), 2, "points.doc: cannot open: No such file or directory");
+  dir.file("points.doc", "Dear reader\n");
+  check_failure(read("points.doc"), 2,
+                "points.doc: not a known kind of point file, nor is the extension '.doc' (known: "
+                ".xyz .txt .csv .pts .asc .ply .obj .off .stl .pcd .las .vtk)");
   dir.file("broken.xyz", "0 0 0\n1 0\n");
   const Run broken = read("broken.xyz");
   CHECK(broken.status == 2);

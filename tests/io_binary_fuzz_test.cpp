@@ -15,11 +15,13 @@
 #include "tests/support/io_las_bytes.h"
 #include "tests/support/io_mutations.h"
 #include "tests/support/io_ply_bytes.h"
+#include "tests/support/io_point_attributes.h"
 
 namespace tetsculpt {
 namespace {
 
 using testing::bytes;
+using testing::completely;
 using testing::ply_header;
 using testing::survives;
 
@@ -40,14 +42,15 @@ std::string binary_ply(std::endian order, std::string_view format) {
 }
 
 TEST_CASE("ply") {
-  CHECK(survives(binary_ply(std::endian::little, "binary_little_endian"), parse_ply_points));
-  CHECK(survives(binary_ply(std::endian::big, "binary_big_endian"), parse_ply_points));
+  CHECK(survives(binary_ply(std::endian::little, "binary_little_endian"),
+                 completely(parse_ply_points)));
+  CHECK(survives(binary_ply(std::endian::big, "binary_big_endian"), completely(parse_ply_points)));
 }
 
 TEST_CASE("stl") {
   CHECK(survives(std::string(80, ' ') + bytes(std::uint32_t{2}, std::endian::little) +
                      std::string(100, '\x3F'),
-                 parse_stl_points));
+                 completely(parse_stl_points)));
 }
 
 TEST_CASE("pcd") {
@@ -55,10 +58,10 @@ TEST_CASE("pcd") {
       "VERSION .7\nFIELDS x y z rgb f\nSIZE 4 8 2 4 1\nTYPE F F I U U\nCOUNT 1 1 1 1 2\n"
       "WIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ";
   const std::string data(40, '\x3F');
-  CHECK(survives(header + "binary\n" + data, parse_pcd_points));
+  CHECK(survives(header + "binary\n" + data, completely(parse_pcd_points)));
   CHECK(survives(header + "binary_compressed\n" + bytes(std::uint32_t{10}, std::endian::little) +
                      bytes(std::uint32_t{40}, std::endian::little) + "\2abc\xE0\x1A\2\1??",
-                 parse_pcd_points));
+                 completely(parse_pcd_points)));
 }
 
 TEST_CASE("las") {
@@ -73,7 +76,7 @@ TEST_CASE("las") {
     las.long_count = 2;
     las.records = testing::las_record(las.record_size, {1, 2, 3}) +
                   testing::las_record(las.record_size, {4, 5, 6});
-    CHECK(survives(testing::las_bytes(las), parse_las_points));
+    CHECK(survives(testing::las_bytes(las), completely(parse_las_points)));
   }
 }
 
@@ -81,7 +84,7 @@ TEST_CASE("vtk") {
   CHECK(survives("# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 2 float\n" +
                      std::string(24, '?') + "\nLINES 1 3\n" + std::string(12, '?') +
                      "\nPOINT_DATA 2\nCOLOR_SCALARS c 3\nabcdef\nFIELD f 1\nb 1 2 bit\n?\n",
-                 parse_vtk_points));
+                 completely(parse_vtk_points)));
 }
 
 }  // namespace

@@ -47,6 +47,10 @@ TEST_CASE("fields") {
   CHECK(refused(kXyz + "COUNT 1 1 2\n" + end) == "6: the field z has several numbers");
   CHECK(refused(kXyz + "COUNT 1 1 0\n" + end) ==
         "6: a COUNT is zero, or a point has more than 10000 numbers");
+  const std::string hist = "FIELDS x y z h\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 ";
+  CHECK(refused(hist + "9997\n" + end) == "read");
+  CHECK(refused(hist + "9998\n" + end) ==
+        "6: a COUNT is zero, or a point has more than 10000 numbers");
   CHECK(refused(kXyz + "COUNT 1 1 18446744073709551615\n" + end) ==
         "6: a COUNT is zero, or a point has more than 10000 numbers");
 }

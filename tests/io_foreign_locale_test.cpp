@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/read_points.h"
-#include "tests/support/io_attributes.h"
+#include "tests/support/io_point_attributes.h"
 
 namespace tetsculpt {
 namespace {

@@ -1,6 +1,7 @@
-// LAS: every version and point format, coordinates as the standard says, fields as attributes.
+// LAS: the fields of every point format become attributes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -8,10 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/support/io_attributes.h"
 #include "tests/support/io_files.h"
-#include "tests/support/io_hard_points.h"
 #include "tests/support/io_las_bytes.h"
+#include "tests/support/io_point_attributes.h"
 
 namespace tetsculpt {
 namespace {
@@ -20,27 +20,8 @@ using testing::attribute_names;
 using testing::has_values;
 using testing::Las;
 using testing::las_bytes;
-using testing::las_record;
+using testing::las_of_format;
 using testing::read_content;
-using testing::same_bits;
-
-constexpr std::array<std::uint16_t, 11> kSizes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
-
-Las las_of_format(unsigned format) {
-  Las las;
-  las.format = format;
-  las.minor = format >= 6 ? 4 : format >= 4 ? 3 : 2;
-  las.record_size = kSizes[format];
-  if (las.minor == 4) las.header_size = 375;
-  las.points_at = las.header_size;
-  las.records = las_record(las.record_size, {1, -2, 3});
-  if (las.minor == 4) {
-    las.long_count = 1;
-  } else {
-    las.short_count = 1;
-  }
-  return las;
-}
 
 PointFile read(const Las& las) { return read_content("a.las", las_bytes(las)); }
 
@@ -128,46 +109,6 @@ TEST_CASE("bits of the flags") {
   CHECK(has_values<std::uint8_t>(late, "scanner_channel", {2}));
   CHECK(has_values<std::uint8_t>(late, "scan_direction", {0}));
   CHECK(has_values<std::uint8_t>(late, "edge_of_flight_line", {1}));
-}
-
-TEST_CASE("coordinates: product and sum are each rounded") {
-  Las las = las_of_format(0);
-  las.scale = {0.01, 1e-3, -0.25};
-  las.offset = {500000.1, -1e6 / 3, 0.1};
-  las.records = las_record(20, {123456789, INT32_MIN, INT32_MAX});
-  const volatile double x = 123456789 * 0.01;
-  const volatile double y = -2147483648.0 * 1e-3;
-  const volatile double z = 2147483647 * -0.25;
-  CHECK(same_bits(read(las).points, std::vector<Point3>{{x + 500000.1, y + -1e6 / 3, z + 0.1}}));
-}
-
-TEST_CASE("longer headers and records, what is between and behind") {
-  Las las = las_of_format(3);
-  las.header_size = 300;
-  las.points_at = 1000;
-  las.record_size = 40;
-  las.short_count = 2;
-  las.records = las_record(40, {1, 2, 3}) + las_record(40, {4, 5, 6}) + "behind";
-  CHECK(read(las).points == std::vector<Point3>{{1, 2, 3}, {4, 5, 6}});
-}
-
-TEST_CASE("versions and their counts") {
-  for (const unsigned minor : {0U, 1U, 2U, 3U}) {
-    Las las = las_of_format(0);
-    las.minor = minor;
-    CHECK(read(las).points.size() == 1);
-  }
-  Las las = las_of_format(0);
-  las.minor = 4;
-  las.header_size = 375;
-  las.points_at = 375;
-  CHECK(read(las).points.size() == 1);  // the short count alone
-  las.long_count = 1;
-  CHECK(read(las).points.size() == 1);
-  las.short_count = 0;
-  CHECK(read(las).points.size() == 1);
-  las.long_count = 0;
-  CHECK(read(las).points.empty());
 }
 
 }  // namespace

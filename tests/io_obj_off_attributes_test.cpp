@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "tests/support/io_attributes.h"
 #include "tests/support/io_files.h"
+#include "tests/support/io_point_attributes.h"
 
 namespace tetsculpt {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/io_attributes.h"
 #include "tests/support/io_files.h"
 #include "tests/support/io_ply_bytes.h"
+#include "tests/support/io_point_attributes.h"
 
 namespace tetsculpt {
 namespace {

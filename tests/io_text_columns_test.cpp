@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/support/io_attributes.h"
 #include "tests/support/io_files.h"
+#include "tests/support/io_point_attributes.h"
 
 namespace tetsculpt {
 namespace {

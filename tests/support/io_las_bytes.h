@@ -55,4 +55,22 @@ inline std::string las_record(std::size_t size, std::array<std::int32_t, 3> xyz)
   return record;
 }
 
+/// One record, at 1, -2, 3, of a format in the oldest version that has it.
+inline Las las_of_format(unsigned format) {
+  Las las;
+  las.format = format;
+  las.minor = format >= 6 ? 4 : format >= 4 ? 3 : 2;
+  constexpr std::array<std::uint16_t, 11> kSizes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+  las.record_size = kSizes[format];
+  if (las.minor == 4) las.header_size = 375;
+  las.points_at = las.header_size;
+  las.records = las_record(las.record_size, {1, -2, 3});
+  if (las.minor == 4) {
+    las.long_count = 1;
+  } else {
+    las.short_count = 1;
+  }
+  return las;
+}
+
 }  // namespace tetsculpt::testing

@@ -2,22 +2,21 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <random>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
-#include <vector>
+#include <utility>
 
 #include "io/io_error.h"
-#include "io/point_file.h"
 
-/// Files changed at random.
+/// Readers tried on files that are nearly right.
 namespace tetsculpt::testing {
+
+inline constexpr int kMutations = 20'000;  // of each file
+inline constexpr std::uint64_t kSeed = 77;
 
 class Mutator {
  public:
@@ -59,18 +58,9 @@ class Mutator {
   std::mt19937_64 random_;
 };
 
-inline bool value_counts_are(std::size_t count, const std::vector<Attribute>& attributes) {
-  return std::ranges::all_of(attributes, [count](const Attribute& attribute) {
-    return std::visit([count](const auto& values) { return values.size() == count; },
-                      attribute.values);
-  });
-}
-
-/// Runs `parse` over mutations of `file`; true if some were read and some refused.
+// Runs `parse` over mutations of `file`; true if some were read and some refused.
 template <typename Parse>
 bool survives(const std::string& file, Parse parse) {
-  constexpr int kMutations = 20'000;
-  constexpr std::uint64_t kSeed = 77;
   Mutator mutator(kSeed);
   int read = 0;
   int refused = 0;
@@ -78,12 +68,7 @@ bool survives(const std::string& file, Parse parse) {
   for (int i = 0; i < kMutations; ++i) {
     const std::string content = mutator.mutated(file);
     try {
-      if constexpr (std::is_same_v<decltype(parse(content, "mutated")), PointFile>) {
-        const PointFile points = parse(content, "mutated");
-        REQUIRE(value_counts_are(points.points.size(), points.attributes));
-      } else {
-        parse(content, "mutated");
-      }
+      parse(content, "mutated");
       ++read;
     } catch (const IoError&) {
       ++refused;
