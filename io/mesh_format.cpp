@@ -1,14 +1,11 @@
 #include "io/mesh_format.h"
 
-#include <array>
-#include <utility>
-
-#include "io/extension.h"
+#include "io/named_formats.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 8> kFormats = {{
+constexpr NamedFormats<MeshFormat, 8> kFormats = {{{
     {"ply", MeshFormat::kPly},
     {"obj", MeshFormat::kObj},
     {"off", MeshFormat::kOff},
@@ -17,29 +14,16 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 8> kFormats = {{
     {"gltf", MeshFormat::kGltf},
     {"glb", MeshFormat::kGlb},
     {"vtk", MeshFormat::kVtk},
-}};
+}}};
 
 }  // namespace
 
-std::optional<MeshFormat> mesh_format_named(std::string_view name) {
-  for (const auto& [known, format] : kFormats) {
-    if (name == known) return format;
-  }
-  return std::nullopt;
-}
+std::optional<MeshFormat> mesh_format_named(std::string_view name) { return kFormats.named(name); }
 
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
-  const std::string extension = lowercase_extension(path);
-  if (extension.empty()) return std::nullopt;
-  return mesh_format_named(std::string_view(extension).substr(1));
+  return kFormats.of(path);
 }
 
-std::string mesh_format_extensions() {
-  std::string all;
-  for (const auto& [name, format] : kFormats) {
-    all.append(all.empty() ? "." : " .").append(name);
-  }
-  return all;
-}
+std::string mesh_format_extensions() { return kFormats.extensions(); }
 
 }  // namespace tetsculpt

@@ -1,14 +1,11 @@
 #include "io/point_format.h"
 
-#include <array>
-#include <utility>
-
-#include "io/extension.h"
+#include "io/named_formats.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PointFormat>, 12> kFormats = {{
+constexpr NamedFormats<PointFormat, 12> kFormats = {{{
     {"xyz", PointFormat::kText},
     {"txt", PointFormat::kText},
     {"csv", PointFormat::kText},
@@ -21,29 +18,20 @@ constexpr std::array<std::pair<std::string_view, PointFormat>, 12> kFormats = {{
     {"pcd", PointFormat::kPcd},
     {"las", PointFormat::kLas},
     {"vtk", PointFormat::kVtk},
-}};
+}}};
 
 }  // namespace
 
 std::optional<PointFormat> point_format_named(std::string_view name) {
-  for (const auto& [known, format] : kFormats) {
-    if (name == known) return format;
-  }
-  return std::nullopt;
+  return kFormats.named(name);
 }
 
 std::optional<PointFormat> point_format_of(const std::filesystem::path& path) {
-  const std::string extension = lowercase_extension(path);
-  if (extension.empty()) return std::nullopt;
-  return point_format_named(std::string_view(extension).substr(1));
+  return kFormats.of(path);
 }
 
-std::string point_format_extensions() {
-  std::string all;
-  for (const auto& [name, format] : kFormats) {
-    all.append(all.empty() ? "." : " .").append(name);
-  }
-  return all;
-}
+std::string_view point_format_name(PointFormat format) { return kFormats.name(format); }
+
+std::string point_format_extensions() { return kFormats.extensions(); }
 
 }  // namespace tetsculpt

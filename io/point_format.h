@@ -16,6 +16,9 @@ std::optional<PointFormat> point_format_named(std::string_view name);
 /// The format that the extension of `path` names, in either case.
 std::optional<PointFormat> point_format_of(const std::filesystem::path& path);
 
+/// Its name; of text, the first of several.
+std::string_view point_format_name(PointFormat format);
+
 /// All names, in a fixed order, with dots: ".xyz .txt ...".
 std::string point_format_extensions();
 

@@ -1,11 +1,9 @@
 #include "io/read_mesh.h"
 
-#include <array>
-#include <utility>
-
 #include "io/extension.h"
 #include "io/file_content.h"
 #include "io/io_error.h"
+#include "io/named_formats.h"
 #include "io/obj_mesh.h"
 #include "io/off_mesh.h"
 #include "io/ply_mesh.h"
@@ -16,23 +14,19 @@
 namespace tetsculpt {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshSource>, 6> kFormats = {{
+constexpr NamedFormats<MeshSource, 6> kFormats = {{{
     {"ply", MeshSource::kPly},
     {"obj", MeshSource::kObj},
     {"off", MeshSource::kOff},
     {"stl", MeshSource::kStl},
     {"vtk", MeshSource::kVtk},
     {"wrl", MeshSource::kVrml},
-}};
+}}};
 
 MeshSource format_of(const std::filesystem::path& path, const ReadMeshOptions& options) {
   if (options.format) return *options.format;
-  const std::string extension = lowercase_extension(path);
-  if (!extension.empty()) {
-    const auto format = mesh_source_named(std::string_view(extension).substr(1));
-    if (format) return *format;
-  }
-  throw IoError(path, "unknown extension '" + extension +
+  if (const auto format = kFormats.of(path)) return *format;
+  throw IoError(path, "unknown extension '" + lowercase_extension(path) +
                           "' of a mesh file (known: " + mesh_source_extensions() + ")");
 }
 
@@ -56,12 +50,7 @@ MeshFile parse(std::string_view content, const std::filesystem::path& path, Mesh
 
 }  // namespace
 
-std::optional<MeshSource> mesh_source_named(std::string_view name) {
-  for (const auto& [known, format] : kFormats) {
-    if (name == known) return format;
-  }
-  return std::nullopt;
-}
+std::optional<MeshSource> mesh_source_named(std::string_view name) { return kFormats.named(name); }
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadMeshOptions& options) {
   const MeshSource format = format_of(path, options);
@@ -73,12 +62,6 @@ MeshFile parse_mesh(std::string_view content, const std::filesystem::path& path,
   return parse(content, path, format_of(path, options));
 }
 
-std::string mesh_source_extensions() {
-  std::string all;
-  for (const auto& [name, format] : kFormats) {
-    all.append(all.empty() ? "." : " .").append(name);
-  }
-  return all;
-}
+std::string mesh_source_extensions() { return kFormats.extensions(); }
 
 }  // namespace tetsculpt

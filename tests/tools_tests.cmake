@@ -15,6 +15,7 @@ if(TARGET tetsculpt_cli)
   add_dependencies(tetsculpt_cli_support tetsculpt_cli)
   foreach(
     name
+    cli_attributes_test
     cli_completion_test
     cli_dry_run_test
     cli_exit_status_test
