@@ -31,13 +31,6 @@ Vec3<double> minus(const Vec3<double>& a, const Vec3<double>& b) {
 
 }  // namespace
 
-void Box::include(const Point3& p) {
-  if (empty) low = high = p;
-  empty = false;
-  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-}
-
 Turn::Turn(const Box& box, const View& view) {
   const double extreme = std::max(largest(box.low), largest(box.high));
   exponent_ = extreme > 0 ? std::ilogb(extreme) : 0;

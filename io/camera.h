@@ -4,20 +4,12 @@
 
 #include "io/canvas.h"
 #include "io/picture.h"
+#include "kernel/box.h"
 #include "kernel/point.h"
 #include "kernel/vec3.h"
 
 /// From the scene's coordinates to the picture's, in two steps.
 namespace tetsculpt {
-
-/// The box of some points.
-struct Box {
-  Point3 low;
-  Point3 high;
-  bool empty = true;
-
-  void include(const Point3& p);
-};
 
 /// Turns the scene so that it is seen along -z, and brings it into the unit ball around 0.
 class Turn {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/attribute.h"
+#include "io/point_format.h"
 #include "io/precision.h"
 #include "kernel/point.h"
 
@@ -15,6 +16,8 @@ struct PointFile {
   Precision precision = Precision::kDouble;
   /// What the file says of each point besides its position, one value per point, in file order.
   std::vector<Attribute> attributes;
+  /// What the file was read as, by whatever told it.
+  PointFormat format = PointFormat::kText;
 };
 
 }  // namespace tetsculpt

@@ -63,7 +63,9 @@ PointFile read_points(const std::filesystem::path& path, const ReadPointsOptions
 
 PointFile parse_points(std::string_view content, const std::filesystem::path& path,
                        const ReadPointsOptions& options) {
-  PointFile file = parse(content, path, format_of(content, path, options));
+  const PointFormat format = format_of(content, path, options);
+  PointFile file = parse(content, path, format);
+  file.format = format;
   make_names_distinct(file.attributes);
   return file;
 }

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
+#include "kernel/box.h"
 #include "kernel/predicates.h"
 
 namespace tetsculpt {
@@ -31,19 +31,10 @@ bool under_or_over(const Point3& p, const std::array<Point3, 3>& corners) {
   return inside;
 }
 
-struct Box {
-  Point3 low;
-  Point3 high;
-
-  void add(const Point3& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  bool contains(const Box& b) const {
-    return low.x <= b.low.x && low.y <= b.low.y && low.z <= b.low.z && b.high.x <= high.x &&
-           b.high.y <= high.y && b.high.z <= high.z;
-  }
-};
+bool contains(const Box& outer, const Box& b) {
+  return outer.low.x <= b.low.x && outer.low.y <= b.low.y && outer.low.z <= b.low.z &&
+         b.high.x <= outer.high.x && b.high.y <= outer.high.y && b.high.z <= outer.high.z;
+}
 
 /// Shells as ranges of points and of triangles.
 class Nesting {
@@ -52,13 +43,13 @@ class Nesting {
           std::span<const std::uint8_t> closed)
       : mesh_(mesh),
         closed_(closed),
-        boxes_(closed.size(), kEmpty),
+        boxes_(closed.size()),
         points_(closed.size()),
         triangles_(closed.size()) {
     for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
       const std::uint32_t shell = shell_of_point[v];
       if (shell >= closed.size() || closed[shell] == 0) continue;
-      boxes_[shell].add(mesh.points[v]);
+      boxes_[shell].include(mesh.points[v]);
       points_[shell].push_back(v);
     }
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -71,16 +62,12 @@ class Nesting {
     std::size_t around = 0;
     for (std::size_t other = 0; other < closed_.size(); ++other) {
       if (other == shell || closed_[shell] == 0 || closed_[other] == 0) continue;
-      around += boxes_[other].contains(boxes_[shell]) && inside(shell, other);
+      around += contains(boxes_[other], boxes_[shell]) && inside(shell, other);
     }
     return around;
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static constexpr Box kEmpty{{kInfinity, kInfinity, kInfinity},
-                              {-kInfinity, -kInfinity, -kInfinity}};
-
   // By the first of the shell's points that is not on the other one.
   bool inside(std::size_t shell, std::size_t other) const {
     for (const std::uint32_t v : points_[shell]) {

@@ -49,6 +49,14 @@ TEST_CASE("counts, box and spacing") {
   CHECK(json["spacing.largest"] == "8");
 }
 
+TEST_CASE("the format is that of the content, whatever the file is called") {
+  const std::string text = "0 0 0\n1 2 3\n";
+  CHECK(info("scan", text)["format"] == "\"xyz\"");
+  CHECK(info("scan.unknown", text)["format"] == "\"xyz\"");
+  CHECK(info("a.CSV", text)["format"] == "\"csv\"");
+  CHECK(info("a.xyz", "OFF\n2 0 0\n" + text)["format"] == "\"off\"");
+}
+
 TEST_CASE("what they span") {
   CHECK(info("a.xyz", "")["span"] == "\"nothing\"");
   CHECK(info("a.xyz", "")["spacing"] == "null");

@@ -14,6 +14,7 @@
 #include "io/extension.h"
 #include "io/io_error.h"
 #include "io/read_points.h"
+#include "kernel/box.h"
 #include "kernel/distinct_points.h"
 #include "kernel/first_simplex.h"
 #include "kernel/nearest_distances.h"
@@ -64,20 +65,16 @@ struct Facts {
   std::size_t points = 0;
   std::size_t invalid = 0;
   std::size_t distinct = 0;
-  std::optional<std::pair<Point3, Point3>> box;  ///< of the valid points
+  Box box;  ///< of the valid points
   std::string_view span;
   std::optional<Quartiles> spacing;  ///< distances of the distinct points to their nearest others
   std::vector<std::pair<std::string, std::string_view>> attributes;  ///< names and types
 };
 
-std::pair<Point3, Point3> bounding_box(const std::vector<Point3>& points) {
-  Point3 low = points.front();
-  Point3 high = low;
-  for (const Point3& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return {low, high};
+/// The extension where it names the format of the file, or else a name of it.
+std::string format_of(const PointFile& file, const std::filesystem::path& path) {
+  if (point_format_of(path) == file.format) return lowercase_extension(path).substr(1);
+  return std::string(point_format_name(file.format));
 }
 
 /// Each is one of the values; the lower one if it falls between two.
@@ -92,14 +89,14 @@ Facts describe(const std::filesystem::path& path) {
   PointFile file = read_points(path);
   Facts facts;
   facts.file = path.string();
-  facts.format = lowercase_extension(path).substr(1);
+  facts.format = format_of(file, path);
   facts.precision = file.precision;
   facts.points = file.points.size();
   for (const Attribute& attribute : file.attributes) {
     facts.attributes.emplace_back(attribute.name, kTypes[attribute.values.index()]);
   }
   facts.invalid = std::erase_if(file.points, [](const Point3& p) { return !finite(p); });
-  if (!file.points.empty()) facts.box = bounding_box(file.points);
+  for (const Point3& p : file.points) facts.box.include(p);
   const DistinctPoints distinct = distinct_points(file.points);
   facts.distinct = distinct.points.size();
   facts.span = kSpans[static_cast<std::size_t>(first_simplex(distinct.points).size)];
@@ -131,9 +128,9 @@ std::string text(const Facts& facts) {
   text += "\nduplicates    " + std::to_string(duplicates(facts));
   text += "\nspan          ";
   text += facts.span;
-  if (facts.box) {
-    text += "\nlowest        " + coordinates(facts.box->first, " ");
-    text += "\nhighest       " + coordinates(facts.box->second, " ");
+  if (!facts.box.empty) {
+    text += "\nlowest        " + coordinates(facts.box.low, " ");
+    text += "\nhighest       " + coordinates(facts.box.high, " ");
   }
   if (facts.spacing) {
     const Quartiles& q = *facts.spacing;
@@ -157,8 +154,11 @@ std::string json(const Facts& facts) {
   json.add("duplicates", duplicates(facts));
   json.add("distinct", facts.distinct);
   json.add("span", std::string(facts.span.substr(facts.span.find(' ') + 1)));
-  json.add_raw("lowest", facts.box ? '[' + coordinates(facts.box->first, ", ") + ']' : "null");
-  json.add_raw("highest", facts.box ? '[' + coordinates(facts.box->second, ", ") + ']' : "null");
+  const auto corner = [&](const Point3& p) {
+    return facts.box.empty ? "null" : '[' + coordinates(p, ", ") + ']';
+  };
+  json.add_raw("lowest", corner(facts.box.low));
+  json.add_raw("highest", corner(facts.box.high));
   JsonObject spacing;
   for (std::size_t i = 0; facts.spacing && i < kQuartiles.size(); ++i) {
     spacing.add_raw(kQuartiles[i], json_number((*facts.spacing)[i]));

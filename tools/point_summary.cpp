@@ -1,6 +1,5 @@
 #include "tools/point_summary.h"
 
-#include <algorithm>
 #include <charconv>
 
 #include "kernel/distinct_points.h"
@@ -24,19 +23,13 @@ PointSummary summary_of(std::span<const Point3> points) {
   const DistinctPoints distinct = distinct_points(points);
   PointSummary out{.count = points.size(), .distinct = distinct.points.size()};
   out.span = static_cast<Span>(first_simplex(distinct.points).size);
-  if (points.empty()) return out;
-  out.low = out.high = points.front();
-  for (const Point3& p : points) {
-    out.low = {std::min(out.low.x, p.x), std::min(out.low.y, p.y), std::min(out.low.z, p.z)};
-    out.high = {std::max(out.high.x, p.x), std::max(out.high.y, p.y), std::max(out.high.z, p.z)};
-  }
+  for (const Point3& p : points) out.box.include(p);
   return out;
 }
 
 std::string text_of(const PointSummary& points, const std::string& file, std::size_t skipped,
                     Precision precision) {
-  const Point3& low = points.low;
-  const Point3& high = points.high;
+  const auto& [low, high, empty] = points.box;
   const auto axis = [&](const char* name, double from, double to) {
     return std::string("  ") + name + " from " + shortest(from, precision) + " to " +
            shortest(to, precision) + '\n';

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/precision.h"
+#include "kernel/box.h"
 #include "kernel/point.h"
 #include "sculpt/reconstruct.h"
 
@@ -15,9 +16,7 @@ struct PointSummary {
   std::size_t count = 0;
   std::size_t distinct = 0;
   Span span = Span::kNothing;
-  /// Smallest and largest coordinates; both zero without points.
-  Point3 low{0, 0, 0};
-  Point3 high{0, 0, 0};
+  Box box = {};
 };
 
 /// Throws InvalidPoint and std::length_error, as reconstruct does.

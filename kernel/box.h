@@ -1,0 +1,23 @@
+#pragma once
+
+#include <algorithm>
+
+#include "kernel/point.h"
+
+namespace tetsculpt {
+
+/// The axis-parallel box of some points.
+struct Box {
+  Point3 low;
+  Point3 high;
+  bool empty = true;
+
+  void include(const Point3& p) {
+    if (empty) low = high = p;
+    empty = false;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+}  // namespace tetsculpt
