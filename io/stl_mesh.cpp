@@ -1,14 +1,15 @@
 #include "io/stl_mesh.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/byte_order.h"
 #include "io/io_error.h"
 #include "io/polygon_fan.h"
+#include "io/stl_reader.h"
 #include "io/text_scanner.h"
 #include "kernel/welded.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t kHeader = 80;  // and the count after it
 constexpr std::size_t kBodyBegin = kHeader + 4;
-constexpr std::size_t kRecord = 50;  // normal, three corners, two bytes of anything
+constexpr std::size_t kRecord = 50;
 
 std::uint32_t announced(std::string_view content) {
   return load_number<std::uint32_t>(content.data() + kHeader, std::endian::little);
@@ -34,23 +35,12 @@ std::string lowered(std::string_view word) {
   return text;
 }
 
-TriangleMesh binary_soup(std::string_view content) {
-  TriangleMesh mesh;
-  const std::uint32_t count = announced(content);
-  mesh.points.reserve(3 * std::size_t{count});
-  mesh.triangles.reserve(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const char* at = content.data() + kBodyBegin + kRecord * t + 12;  // behind the normal
-    const auto first = static_cast<std::uint32_t>(3 * t);
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    for (int corner = 0; corner < 3; ++corner) {
-      std::array<double, 3> xyz{};
-      for (double& x : xyz) {
-        x = static_cast<double>(load_number<float>(at, std::endian::little));
-        at += sizeof(float);
-      }
-      mesh.points.push_back({xyz[0], xyz[1], xyz[2]});
-    }
+/// A triangle of its own for every three points.
+TriangleMesh soup(std::vector<Point3> corners) {
+  TriangleMesh mesh{std::move(corners), {}};
+  mesh.triangles.reserve(mesh.points.size() / 3);
+  for (std::uint32_t v = 0; v < mesh.points.size(); v += 3) {
+    mesh.triangles.push_back({v, v + 1, v + 2});
   }
   return mesh;
 }
@@ -110,7 +100,9 @@ class TextParser {
 }  // namespace
 
 MeshFile parse_stl_mesh(std::string_view content, const std::filesystem::path& path) {
-  if (is_binary(content)) return {welded(binary_soup(content)), Precision::kSingle};
+  if (is_binary(content)) {
+    return {welded(soup(parse_stl_points(content, path).points)), Precision::kSingle};
+  }
   if (lowered(content.substr(0, 5)) == "solid") {
     return {welded(TextParser(content, path).parse()), Precision::kDouble};
   }

@@ -3,32 +3,16 @@
 #include <array>
 #include <bit>
 #include <string>
-#include <utility>
 
 #include "io/attribute_values.h"
 #include "io/binary_columns.h"
+#include "io/vtk_types.h"
 
 namespace tetsculpt {
 namespace {
 
 constexpr std::uint64_t kMostComponents = 10'000;
 constexpr std::size_t kShortestNumber = 2;  // a digit and what is behind it
-
-constexpr std::pair<std::string_view, NumberType> kTypes[] = {
-    {"char", NumberType::kInt8},
-    {"signed_char", NumberType::kInt8},
-    {"unsigned_char", NumberType::kUint8},
-    {"short", NumberType::kInt16},
-    {"unsigned_short", NumberType::kUint16},
-    {"int", NumberType::kInt32},
-    {"unsigned_int", NumberType::kUint32},
-    {"long", NumberType::kInt64},
-    {"unsigned_long", NumberType::kUint64},
-    {"vtktypeint64", NumberType::kInt64},
-    {"vtktypeuint64", NumberType::kUint64},
-    {"vtkIdType", NumberType::kInt32},
-    {"float", NumberType::kFloat32},
-    {"double", NumberType::kFloat64}};
 
 }  // namespace
 
@@ -49,9 +33,7 @@ bool VtkScanner::next_begins_with(std::string_view word) const {
 std::optional<NumberType> VtkScanner::type() {
   const std::string_view name = in_.token();
   if (name == "bit") return std::nullopt;
-  for (const auto& [known, type] : kTypes) {
-    if (name == known) return type;
-  }
+  if (const auto type = vtk_type_named(name)) return type;
   in_.fail("arrays of type '" + std::string(name) + "' are not read");
 }
 

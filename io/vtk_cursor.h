@@ -5,22 +5,10 @@
 #include <filesystem>
 #include <string_view>
 
+#include "io/number_type.h"
 #include "io/word_cursor.h"
 
 namespace tetsculpt {
-
-enum class VtkType {
-  kInt8,
-  kUint8,
-  kInt16,
-  kUint16,
-  kInt32,
-  kUint32,
-  kInt64,
-  kUint64,
-  kFloat32,
-  kFloat64
-};
 
 /// A cursor over the words and the values of a legacy VTK file. Values are words too in an ascii
 /// file, and big endian numbers in a binary one. Faults are thrown as IoError with the line, or the
@@ -41,15 +29,15 @@ class VtkCursor {
   /// Takes a number of things.
   std::uint64_t count();
   /// Takes the name of a type.
-  VtkType type();
+  NumberType type();
 
   /// Begins `count` values, behind the line on which their type stands: as many can be in what is
   /// left of the file.
-  void begin_values(std::uint64_t count, VtkType type);
-  double number(VtkType type);
+  void begin_values(std::uint64_t count, NumberType type);
+  double number(NumberType type);
   /// Precondition: the type is one of integers.
-  std::int64_t integer(VtkType type);
-  void skip_values(std::uint64_t count, VtkType type);
+  std::int64_t integer(NumberType type);
+  void skip_values(std::uint64_t count, NumberType type);
 
   [[noreturn]] void fail(std::string_view reason) const;
 

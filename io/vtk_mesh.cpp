@@ -70,10 +70,10 @@ class VtkParser {
   void parse_points() {
     if (std::exchange(has_points_, true)) in_.fail("POINTS for the second time");
     const std::uint64_t count = in_.count();
-    const VtkType type = in_.type();
+    const NumberType type = in_.type();
     if (count > UINT32_MAX) in_.fail("more points than 32-bit indices can tell apart");
     in_.begin_values(3 * count, type);
-    if (type == VtkType::kFloat32) file_.precision = Precision::kSingle;
+    if (type == NumberType::kFloat32) file_.precision = Precision::kSingle;
     file_.mesh.points.reserve(static_cast<std::size_t>(count));
     for (std::uint64_t i = 0; i < count; ++i) {
       const double x = in_.number(type);
@@ -86,17 +86,17 @@ class VtkParser {
   void parse_polygons() {
     const Cells cells{in_.count(), in_.count()};
     if (in_.peek() == "OFFSETS") return parse_connectivity(cells);
-    in_.begin_values(cells.values, VtkType::kInt32);
+    in_.begin_values(cells.values, NumberType::kInt32);
     std::uint64_t left = cells.values;
     for (std::uint64_t i = 0; i < cells.count; ++i) {
       if (left == 0) in_.fail("the polygons have more values than announced");
-      const std::int64_t corners = in_.integer(VtkType::kInt32);
+      const std::int64_t corners = in_.integer(NumberType::kInt32);
       --left;
       if (corners < 0 || static_cast<std::uint64_t>(corners) > left) {
         in_.fail("a polygon of " + std::to_string(corners) + " corners, " + std::to_string(left) +
                  " values left");
       }
-      for (std::int64_t k = 0; k < corners; ++k) parse_corner(VtkType::kInt32);
+      for (std::int64_t k = 0; k < corners; ++k) parse_corner(NumberType::kInt32);
       left -= static_cast<std::uint64_t>(corners);
       if (const auto fault = fan_.finish()) in_.fail(*fault);
     }
@@ -106,7 +106,7 @@ class VtkParser {
   // `cells` counts offsets, one more than polygons, and corners.
   void parse_connectivity(const Cells& cells) {
     in_.word();
-    VtkType type = integer_type();
+    NumberType type = integer_type();
     in_.begin_values(cells.count, type);
     std::vector<std::int64_t> offsets;
     offsets.reserve(static_cast<std::size_t>(cells.count));
@@ -129,13 +129,13 @@ class VtkParser {
     }
   }
 
-  VtkType integer_type() {
-    const VtkType type = in_.type();
-    if (type >= VtkType::kFloat32) in_.fail("indices must be integers");
+  NumberType integer_type() {
+    const NumberType type = in_.type();
+    if (type >= NumberType::kFloat32) in_.fail("indices must be integers");
     return type;
   }
 
-  void parse_corner(VtkType type) {
+  void parse_corner(NumberType type) {
     const std::int64_t index = in_.integer(type);
     const std::size_t vertices = file_.mesh.points.size();
     if (index < 0 || static_cast<std::uint64_t>(index) >= vertices) {
@@ -146,7 +146,7 @@ class VtkParser {
 
   void skip_cells() {
     const Cells cells{in_.count(), in_.count()};
-    if (in_.peek() != "OFFSETS") return in_.skip_values(cells.values, VtkType::kInt32);
+    if (in_.peek() != "OFFSETS") return in_.skip_values(cells.values, NumberType::kInt32);
     in_.word();
     in_.skip_values(cells.count, in_.type());
     in_.expect("CONNECTIVITY");
