@@ -45,14 +45,6 @@ void add_faces_with_normals(const TriangleMesh& mesh, TextRows& rows) {
   }
 }
 
-void add_faces(const TriangleMesh& mesh, TextRows& rows) {
-  for (const auto& triangle : mesh.triangles) {
-    rows.add("f ");
-    rows.add_indices(triangle, 1);
-    rows.add("\n");
-  }
-}
-
 }  // namespace
 
 WriteReport write_obj(const TriangleMesh& mesh, std::span<const Attribute> attributes,
@@ -63,7 +55,7 @@ WriteReport write_obj(const TriangleMesh& mesh, std::span<const Attribute> attri
   rows.add("# made by tetsculpt\n");
   add_vertices(mesh, groups, rows);
   if (groups.normals.empty()) {
-    add_faces(mesh, rows);
+    rows.add_triangles(mesh.triangles, "f ", 1, "\n");
   } else {
     add_faces_with_normals(mesh, rows);
   }

@@ -50,11 +50,7 @@ WriteReport write_off(const TriangleMesh& mesh, std::span<const Attribute> attri
     if (!groups.colours.empty()) add_colour(groups.colours, i, rows);
     rows.add("\n");
   }
-  for (const auto& triangle : mesh.triangles) {
-    rows.add("3 ");
-    rows.add_indices(triangle, 0);
-    rows.add("\n");
-  }
+  rows.add_triangles(mesh.triangles, "3 ", 0, "\n");
   rows.finish();
   return {.dropped = names_of(groups.others)};
 }

@@ -97,11 +97,7 @@ void write_ascii_body(const TriangleMesh& mesh, const AttributeRefs& attributes,
     }
     rows.add("\n");
   }
-  for (const auto& triangle : mesh.triangles) {
-    rows.add("3 ");
-    rows.add_indices(triangle, 0);
-    rows.add("\n");
-  }
+  rows.add_triangles(mesh.triangles, "3 ", 0, "\n");
   rows.finish();
 }
 

@@ -32,6 +32,15 @@ void TextRows::add_indices(const std::array<std::uint32_t, 3>& triangle, std::ui
   add_number(first + triangle[2]);
 }
 
+void TextRows::add_triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
+                             std::string_view before, std::uint64_t first, std::string_view after) {
+  for (const auto& triangle : triangles) {
+    add(before);
+    add_indices(triangle, first);
+    add(after);
+  }
+}
+
 void TextRows::add_value(const AttributeValues& values, std::size_t i) {
   std::visit([&](const auto& of_type) { add_number(of_type[i]); }, values);
 }

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "io/atomic_file.h"
@@ -32,6 +33,9 @@ class TextRows {
   void add_point(const Point3& point);
   /// The three indices counted from `first`, with blanks between them.
   void add_indices(const std::array<std::uint32_t, 3>& triangle, std::uint64_t first);
+  /// A row for each triangle: its indices, counted from `first`, between two texts.
+  void add_triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
+                     std::string_view before, std::uint64_t first, std::string_view after);
   /// Value `i` as it is.
   void add_value(const AttributeValues& values, std::size_t i);
   /// Value `i` as a share of the largest of its type, as a float, if it is an integer; or as it is.

@@ -63,10 +63,7 @@ WriteReport write_vrml(const TriangleMesh& mesh, std::span<const Attribute> attr
     end_list(rows);
   }
   rows.add("    coordIndex [\n");
-  for (const auto& triangle : mesh.triangles) {
-    rows.add_indices(triangle, 0);
-    rows.add(" -1\n");
-  }
+  rows.add_triangles(mesh.triangles, "", 0, " -1\n");
   rows.add(
       "    ]\n"
       "  }\n"
