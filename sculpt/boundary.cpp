@@ -6,15 +6,11 @@
 
 namespace tetsculpt {
 
-namespace {
-
 Flags all_finite(const TetComplex& complex) {
   Flags solid(complex.tet_count(), 0);
   std::fill_n(solid.begin(), complex.finite_tet_count(), std::uint8_t{1});
   return solid;
 }
-
-}  // namespace
 
 Boundary::Boundary(const TetComplex& complex) : Boundary(complex, all_finite(complex)) {}
 

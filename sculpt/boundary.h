@@ -15,6 +15,9 @@
 /// The solid being sculpted and its boundary.
 namespace tetsculpt {
 
+/// Flags the finite tetrahedra: the convex hull.
+Flags all_finite(const TetComplex& complex);
+
 /// A set of finite tetrahedra of a complex, with the triangles between it and the rest. A vertex or
 /// edge is on the boundary if a boundary triangle holds it. All updates and queries take constant
 /// time and allocate nothing.

@@ -58,10 +58,8 @@ class StepQueue {
   /// The last one pushed of those with the greatest step, taken out.
   std::optional<Entry> pop() {
     while (filled_[highest_] == 0) {
-      if (highest_-- == 0) {
-        highest_ = 0;
-        return std::nullopt;
-      }
+      if (highest_ == 0) return std::nullopt;
+      --highest_;
     }
     const auto bit = static_cast<std::size_t>(std::bit_width(filled_[highest_]) - 1);
     const auto step = static_cast<Step>(64 * highest_ + bit);
@@ -91,7 +89,6 @@ class Propagation {
   }
 
   LargeArray<Side> run() {
-    std::fill(belief_.begin(), belief_.end(), Belief{});
     side_[LabelGraph::kOutside] = Side::kOutside;
     spread(LabelGraph::kOutside);
     while (const std::optional<StepQueue::Entry> top = queue_.pop()) {

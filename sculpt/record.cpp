@@ -2,7 +2,6 @@
 // replay of the changes notes for each triangle when it last came, and lists it when it goes.
 #include "sculpt/record.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -10,12 +9,6 @@
 
 namespace tetsculpt {
 namespace {
-
-Flags all_finite(const TetComplex& complex) {
-  Flags inside(complex.tet_count(), 0);
-  std::fill_n(inside.begin(), complex.finite_tet_count(), std::uint8_t{1});
-  return inside;
-}
 
 /// The tetrahedra in which two labelings differ, breadth first: those before which one is that has
 /// their new side already, then their neighbours of the same side, and so on; at the end those that
