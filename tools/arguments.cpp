@@ -24,16 +24,6 @@ std::string joined(const std::vector<std::string>& words, std::string_view last 
   return text;
 }
 
-std::vector<std::string> extensions(const std::string& list) {
-  std::vector<std::string> words;
-  for (std::size_t at = 0; at < list.size();) {
-    const std::size_t end = std::min(list.find(' ', at), list.size());
-    words.push_back(list.substr(at, end - at));
-    at = end + 1;
-  }
-  return words;
-}
-
 const Option* option_named(std::string_view name) {
   for (const Option& option : options()) {
     if (option.name == name) return &option;
@@ -177,7 +167,7 @@ void check_output(const Arguments& a) {
       throw UsageError("standard output takes the surface or the statistics; use --stats=FILE");
     }
   } else if (!a.output_format) {
-    check_extension(a.output, "output file", extensions(mesh_format_extensions()));
+    check_extension(a.output, "output file", split_words(mesh_format_extensions()));
   }
   if (a.ply_encoding == PlyEncoding::kAscii &&
       a.output_format.value_or(mesh_format_of(a.output).value_or(MeshFormat::kPly)) !=

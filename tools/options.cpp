@@ -43,14 +43,8 @@ std::string name_of(Value value, const std::array<Named<Value>, N>& named) {
 
 /// Names of formats from a list of extensions: ".ply .obj".
 std::vector<std::string> format_names(const std::string& extensions) {
-  std::vector<std::string> names;
-  for (const char c : extensions) {
-    if (c == '.') {
-      names.emplace_back();
-    } else if (c != ' ') {
-      names.back() += c;
-    }
-  }
+  std::vector<std::string> names = split_words(extensions);
+  for (std::string& name : names) name.erase(0, 1);
   return names;
 }
 
@@ -200,5 +194,15 @@ std::span<const Option> options() { return kOptions; }
 
 std::string name(Method method) { return name_of(method, kMethods); }
 std::string name(Criterion criterion) { return name_of(criterion, kCriteria); }
+
+std::vector<std::string> split_words(std::string_view list) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t end = std::min(list.find(' ', at), list.size());
+    words.emplace_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
 
 }  // namespace tetsculpt::cli

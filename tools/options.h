@@ -53,4 +53,7 @@ std::span<const Option> options();
 std::string name(Method method);
 std::string name(Criterion criterion);
 
+/// The words of a list with one blank between them.
+std::vector<std::string> split_words(std::string_view list);
+
 }  // namespace tetsculpt::cli
