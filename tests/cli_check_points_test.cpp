@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/write_mesh.h"
+#include "tests/support/check_runs.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sculpt_cli.h"
 #include "tests/support/sculpt_json.h"
@@ -13,22 +13,12 @@
 namespace tetsculpt {
 namespace {
 
+using testing::check;
 using testing::cube;
 using testing::JsonReader;
 using testing::Run;
+using testing::says;
 using testing::TempDir;
-using Words = std::vector<std::string>;
-
-Run check(const TempDir& dir, const TriangleMesh& mesh, Words more = {},
-          const std::string& name = "m.off") {
-  write_mesh(mesh, dir.path() / name);
-  more.insert(more.begin(), {"check", name});
-  return testing::run(dir, more);
-}
-
-bool says(const Run& run, const std::string& text) {
-  return run.out.find(text) != std::string::npos;
-}
 
 TEST_CASE("points: all are vertices, and no vertex is anything else") {
   const TempDir dir;
