@@ -2,18 +2,20 @@
 """Reconstructs every set of a catalogue and prints a table of what came out.
 
   bench/quality.py --cli build/release/tetsculpt --data DATA --judge MESHCHECK [--method NAME]...
-                   [--kind mesh|raw|contours|paper]... [--only NAME]... [--samples N] [--volume] [--keep DIR]
+                   [--kind mesh|raw|contours|paper]... [--only NAME]... [--samples N] [--jobs N] [--volume] [--keep DIR]
 
 DATA holds catalog.json and the gzipped PLY files it names. MESHCHECK is the program that judges each
 mesh: called with MESH --points FILE [--truth MESH] --samples N, it prints one JSON object. A set whose
 true surface is known counts as right if the output is closed, manifold and oriented, holds every
 distinct point, and has the truth's number of components and genus. With --volume, what part of the
-truth's volume is on the wrong side, too (bench/volume_difference.py). Needs Python 3 only.
+truth's volume is on the wrong side, too (bench/volume_difference.py). With --jobs, so many sets at a time, and
+seconds that mean little. Needs Python 3 only.
 
 Exit status 0; 1 if an output was not closed, manifold, oriented and facing outward, made of input points
 without degenerate or duplicate triangles, or if one of guided sculpting lacked a point; 2 without data.
 """
 import argparse
+import concurrent.futures
 import gzip
 import json
 import os
@@ -35,6 +37,7 @@ def arguments():
     parser.add_argument("--kind", action="append", default=[])
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--samples", type=int, default=20000)
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--volume", action="store_true", help="measure the volume labelled wrongly")
     parser.add_argument("--keep", help="directory to leave the surfaces in")
     return parser.parse_args()
@@ -98,27 +101,35 @@ def row(entry, verdict, seconds):
             f"{100 * verdict['interpolated']:6.2f} {distance}{wrong} {seconds:7.2f}  {mark}")
 
 
+def measure(args, method, entry, folder):
+    """What the judge says of one set's surface, or None, and the line to print."""
+    points = unzipped(os.path.join(args.data, entry["file"]), folder)
+    surface = os.path.join(args.keep or folder, f"{entry['name']}.{method}.ply")
+    status, seconds, message = reconstruct(args, method, points, surface)
+    if status not in (0, 4):
+        return None, f"{entry['name']:26} exit status {status}: {message}"
+    verdict = judge(args, entry, points, surface, folder)
+    if not args.keep:
+        os.remove(surface)
+    return verdict, row(entry, verdict, seconds)
+
+
 def run_method(args, method, entries, folder):
     print(f"\nmethod {method}\n{'set':26} {'points':>7} sound comp/genus truth  points%"
           f"  d_mean  d_max {'volume% ' if args.volume else ''} seconds")
     volumes = []
     manifold = sound = right = known = 0
-    for entry in entries:
-        points = unzipped(os.path.join(args.data, entry["file"]), folder)
-        surface = os.path.join(args.keep or folder, f"{entry['name']}.{method}.ply")
-        status, seconds, message = reconstruct(args, method, points, surface)
-        if status not in (0, 4):
-            print(f"{entry['name']:26} exit status {status}: {message}")
-            continue
-        verdict = judge(args, entry, points, surface, folder)
-        print(row(entry, verdict, seconds), flush=True)
-        volumes += [verdict["volume_wrong"]] if "volume_wrong" in verdict else []
-        manifold += is_manifold(verdict)
-        sound += is_sound(verdict)
-        known += truth_of(entry) is not None
-        right += truth_of(entry) is not None and is_right(entry, verdict)
-        if not args.keep:
-            os.remove(surface)
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        for entry, result in zip(entries, pool.map(lambda e: measure(args, method, e, folder), entries)):
+            verdict, text = result
+            print(text, flush=True)
+            if verdict is None:
+                continue
+            volumes += [verdict["volume_wrong"]] if "volume_wrong" in verdict else []
+            manifold += is_manifold(verdict)
+            sound += is_sound(verdict)
+            known += truth_of(entry) is not None
+            right += truth_of(entry) is not None and is_right(entry, verdict)
     print(f"{method}: of {len(entries)}, {manifold} closed, manifold and oriented, {sound} of them through "
           f"every point; {right} of {known} with the truth's components and genus")
     if volumes:

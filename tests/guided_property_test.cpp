@@ -13,13 +13,14 @@
 
 #include "kernel/predicates.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_stages.h"
 #include "tests/support/sculpt_surface.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr std::uint64_t kSets = 10000;
+constexpr std::uint64_t kSets = testing::random_cases(std::uint64_t{10000});
 
 /// Integer points near a few centres: clusters that are clusters still where all is exact.
 std::vector<Point3> integer_clusters(std::size_t n, std::uint64_t seed) {

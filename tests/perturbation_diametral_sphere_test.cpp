@@ -7,6 +7,7 @@
 #include "kernel/perturbation.h"
 #include "tests/support/exact_predicates.h"
 #include "tests/support/near_degenerate.h"
+#include "tests/support/random_cases.h"
 
 namespace tetsculpt {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using namespace near_degenerate;
 
 constexpr std::uint64_t kSeed = 2111;
-constexpr int kCases = 1'000'000;
+constexpr int kCases = testing::random_cases(1'000'000);
 
 Sign as_sign(bool inside) { return inside ? Sign::kPositive : Sign::kNegative; }
 

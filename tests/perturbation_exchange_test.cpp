@@ -7,6 +7,7 @@
 #include "kernel/perturbation.h"
 #include "kernel/predicates.h"
 #include "tests/support/near_degenerate.h"
+#include "tests/support/random_cases.h"
 
 namespace tetsculpt {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using namespace near_degenerate;
 
 constexpr std::uint64_t kSeed = 2113;
-constexpr int kCases = 100'000;
+constexpr int kCases = testing::random_cases(100'000);
 
 Points<5> cospherical(Rng& rng) {
   if (rng() % 4 == 0) return ragged_sphere<5>(rng, false);

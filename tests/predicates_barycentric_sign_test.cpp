@@ -6,6 +6,7 @@
 #include "kernel/predicates.h"
 #include "tests/support/exact_predicates.h"
 #include "tests/support/near_degenerate.h"
+#include "tests/support/random_cases.h"
 
 namespace tetsculpt {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using namespace near_degenerate;
 
 constexpr std::uint64_t kSeed = 2106;
-constexpr int kCases = 1'000'000;
+constexpr int kCases = testing::random_cases(1'000'000);
 
 /// p projects on the line bc: a is in the plane z = 0, b and c on its diagonal, p above it.
 Points<4> above_edge(Rng& rng) {

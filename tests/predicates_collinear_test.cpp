@@ -6,6 +6,7 @@
 #include "kernel/predicates.h"
 #include "tests/support/exact_predicates.h"
 #include "tests/support/near_degenerate.h"
+#include "tests/support/random_cases.h"
 
 namespace tetsculpt {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using namespace near_degenerate;
 
 constexpr std::uint64_t kSeed = 2108;
-constexpr int kCases = 1'000'000;
+constexpr int kCases = testing::random_cases(1'000'000);
 
 /// Three points of the line through zero and (1, 3, -5), at very different distances.
 Points<3> ragged_line(Rng& rng) {

@@ -6,6 +6,7 @@
 #include "kernel/predicates.h"
 #include "tests/support/exact_predicates.h"
 #include "tests/support/near_degenerate.h"
+#include "tests/support/random_cases.h"
 
 namespace tetsculpt {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using namespace near_degenerate;
 
 constexpr std::uint64_t kSeed = 2104;
-constexpr int kCases = 1'000'000;
+constexpr int kCases = testing::random_cases(1'000'000);
 
 /// p sees ab under a right angle: two opposite points of a sphere and a third one; or p on the line
 /// ab.

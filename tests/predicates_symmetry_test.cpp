@@ -6,6 +6,7 @@
 
 #include "kernel/predicates.h"
 #include "tests/support/near_degenerate.h"
+#include "tests/support/random_cases.h"
 
 namespace tetsculpt {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using namespace near_degenerate;
 
 constexpr std::uint64_t kSeed = 2109;
-constexpr int kCases = 50'000;
+constexpr int kCases = testing::random_cases(50'000);
 
 template <std::size_t kCount>
 Points<kCount> equidistant(Rng& rng) {

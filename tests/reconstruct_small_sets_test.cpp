@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_stages.h"
 #include "tests/support/sculpt_surface.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr int kSets = 2000;
+constexpr int kSets = testing::random_cases(2000);
 
 testing::NamedSet random_set(std::uint64_t seed) {
   point_sets::Random random(seed);
