@@ -1,10 +1,11 @@
 // The complex of the paper's section 4, with triangles as one facet each and their edges reached
 // through it. Edges are found by turning around each one once, from the first tetrahedron that has
-// it: no hashing, no sorting.
+// it (kernel/edge_rings): no hashing, no sorting.
 #include "kernel/tet_complex.h"
 
 #include <utility>
 
+#include "kernel/edge_rings.h"
 #include "kernel/predicates.h"
 
 namespace tetsculpt {
@@ -12,6 +13,12 @@ namespace {
 
 constexpr EdgeId kNoEdge{0xffffffffu};
 constexpr TriangleId kNoTriangle{0xffffffffu};
+
+/// The edges of an odd tetrahedron, given by ranks.
+std::array<EdgeId, 6> in_order_of_corners(const std::array<EdgeId, 6>& e) {
+  return {e[kOddEdges[0]], e[kOddEdges[1]], e[kOddEdges[2]],
+          e[kOddEdges[3]], e[kOddEdges[4]], e[kOddEdges[5]]};
+}
 
 std::string name(TetId t) { return "tetrahedron " + std::to_string(+t); }
 
@@ -43,23 +50,23 @@ void TetComplex::find_triangles() {
 }
 
 void TetComplex::find_edges() {
+  const EdgeRings rings(tets_, neighbors_);
   edges_of_tet_.assign(tets_.size(), {kNoEdge, kNoEdge, kNoEdge, kNoEdge, kNoEdge, kNoEdge});
   edges_.reserve(tets_.size() + tets_.size() / 4);
   for (std::uint32_t t = 0; t < finite_count_; ++t) {
+    const bool odd = is_odd(tets_[t]);
     for (std::size_t k = 0; k < 6; ++k) {
-      if (edges_of_tet_[t][k] != kNoEdge) continue;
-      const auto [a, b] = kEdgeCorners[k];
+      const std::size_t ranked = odd ? kOddEdges[k] : k;
+      if (edges_of_tet_[t][ranked] != kNoEdge) continue;
+      const auto [a, b] = kEdgeCorners[ranked];
       const EdgeId e{static_cast<std::uint32_t>(edges_.size())};
-      const VertexId va = tets_[t][a];
-      const VertexId vb = tets_[t][b];
-      edges_.push_back(
-          {{std::min(va, vb), std::max(va, vb)}, triangles_of_tet_[t][kEdgeCorners[5 - k][0]]});
-      turn_from(TetId{t}, a, b, [&](TetId s, int i, int j, int) {
-        edges_of_tet_[+s]
-                     [kEdgeOfCorners[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]] = e;
-        return true;
-      });
+      edges_.push_back({{ranked_corner(tets_[t], a), ranked_corner(tets_[t], b)},
+                        triangles_of_tet_[t][kEdgeCorners[5 - k][0]]});
+      rings.turn(t, ranked, [&](std::uint32_t u, std::size_t edge) { edges_of_tet_[u][edge] = e; });
     }
+  }
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    if (is_odd(tets_[t])) edges_of_tet_[t] = in_order_of_corners(edges_of_tet_[t]);
   }
 }
 

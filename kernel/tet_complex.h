@@ -102,10 +102,6 @@ class TetComplex {
   };
   void find_triangles();
   void find_edges();
-  /// The same as turn, from any tetrahedron at the edge between two of its corners:
-  /// visit(tetrahedron, corner a, corner b, corner ahead).
-  template <class Visit>
-  void turn_from(TetId start, int a, int b, Visit&& visit) const;
 
   std::size_t finite_count_ = 0;
   LargeArray<std::array<VertexId, 4>> tets_;
@@ -128,38 +124,21 @@ inline int corner_of(const std::array<VertexId, 4>& tet, VertexId v) {
 }
 
 template <class Visit>
-void TetComplex::turn_from(TetId start, int a, int b, Visit&& visit) const {
-  const VertexId va = tets_[+start][static_cast<std::size_t>(a)];
-  const VertexId vb = tets_[+start][static_cast<std::size_t>(b)];
-  TetId t = start;
+void TetComplex::turn(EdgeId e, Visit&& visit) const {
+  const auto& [va, vb] = edges_[+e].vertices;
+  const Facet first = facet(edges_[+e].triangle);
+  TetId t = first.tet;
   // The two other corners: leave through the facet opposite `behind`, which holds `ahead`.
-  const int edge = kEdgeOfCorners[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-  const auto& others = kEdgeCorners[static_cast<std::size_t>(5 - edge)];
-  int behind = others[0];
-  int ahead = others[1];
+  int behind = first.corner;
+  int ahead = 6 - corner_of(tets_[+t], va) - corner_of(tets_[+t], vb) - behind;
   do {
-    if (!visit(t, a, b, ahead)) return;
-    const VertexId v_ahead = tets_[+t][static_cast<std::size_t>(ahead)];
+    const VertexId third = tets_[+t][static_cast<std::size_t>(ahead)];
+    if (!visit(Facet{t, behind}, third)) return;
     const Facet next = across(t, behind);
     t = next.tet;
-    const auto& c = tets_[+t];
-    a = corner_of(c, va);
-    b = corner_of(c, vb);
-    behind = corner_of(c, v_ahead);
+    behind = corner_of(tets_[+t], third);
     ahead = next.corner;
-  } while (t != start);
-}
-
-template <class Visit>
-void TetComplex::turn(EdgeId e, Visit&& visit) const {
-  const Facet first = facet(edges_[+e].triangle);
-  const auto& c = tets_[+first.tet];
-  const int a = corner_of(c, edges_[+e].vertices[0]);
-  const int b = corner_of(c, edges_[+e].vertices[1]);
-  turn_from(first.tet, a, b, [&](TetId t, int i, int j, int ahead) {
-    // The triangle (i, j, ahead) is opposite the fourth corner, which is "behind".
-    return visit(Facet{t, 6 - i - j - ahead}, tets_[+t][static_cast<std::size_t>(ahead)]);
-  });
+  } while (t != first.tet);
 }
 
 }  // namespace tetsculpt

@@ -31,7 +31,7 @@ LargeArray<Border> join(const TetComplex& complex, std::span<const float> overla
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const Facet f = complex.facet(TriangleId{t});
     const TetId second = complex.neighbor(f.tet, f.corner);
-    if (!(overlap[t] > kSameSide) || alone[+f.tet] || alone[+second]) {
+    if (!(overlap[t] > kSameSide) || (!alone.empty() && (alone[+f.tet] || alone[+second]))) {
       borders.push_back({TriangleId{t}, f.tet, second});
     } else {
       sets.unite(1 + +f.tet, complex.finite(second) ? 1 + +second : 0);

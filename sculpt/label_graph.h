@@ -37,8 +37,9 @@ struct LabelGraph {
 };
 
 /// Joins tetrahedra across all facets whose circumspheres overlap so deeply that no surface runs
-/// there; flagged tetrahedra stay alone. `overlap` has a cosine per triangle, see
-/// sculpt/circumspheres.h. Nodes are numbered by their first tetrahedra.  Cost: near linear.
+/// there; tetrahedra flagged in `alone`, which may be empty, stay alone. `overlap` has a cosine per
+/// triangle, see sculpt/circumspheres.h. Nodes are numbered by their first tetrahedra. Cost: near
+/// linear.
 LabelGraph label_graph(const TetComplex& complex, std::span<const float> overlap,
                        const Flags& alone);
 

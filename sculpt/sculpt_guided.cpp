@@ -54,7 +54,7 @@ Knowledge gather(std::span<const Point3> points, const TetComplex& complex,
   progress(0.1);
   LargeArray<float> overlap = overlaps(complex, spheres);
   progress(0.15);
-  known.graph = label_graph(complex, overlap, Flags(complex.tet_count(), 0));
+  known.graph = label_graph(complex, overlap, {});
   progress(0.2);
   known.alone = contradicted_tets(complex, known.graph, pairs);
   if (any(known.alone)) known.graph = label_graph(complex, overlap, known.alone);
