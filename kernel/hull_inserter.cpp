@@ -101,53 +101,70 @@ Inserter::Slot Inserter::pick_apex(FacetIndex f) const {
   return apex;
 }
 
-/// Makes a facet part of the visible region, entered through a ridge, and its other ridges part of
-/// the front: their facets are on their way to the cache when their turn comes.
-void Inserter::make_visible(FacetIndex f, Ridge through) {
-  facets_.mark(f) = stamp_;
-  visible_.make_room(1);
-  visible_.push(f);
-  front_.make_room(4);
-  const auto& neighbors = facets_.neighbors(f);
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    if (ridge(f, i) == through) continue;
-    facets_.prefetch(facet_of(neighbors[i]));
-    front_.push({ridge(f, i), neighbors[i]});
-  }
-}
-
 /// Grows the visible region from a facet that the apex sees; what it is cut off by is the horizon.
-/// False if the region leaves the range.
+/// False if the region leaves the range. What the loops count and write to stays in registers.
 bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   stamp_ += 2;
+  const std::uint32_t is_visible = stamp_;
   const std::uint32_t is_hidden = stamp_ + 1;
-  visible_.clear();
-  front_.clear();
-  horizon_.clear();
-  make_visible(seen, kNone);
   const Point3 q = points_[apex];
-  for (std::size_t k = 0; k < front_.size(); ++k) {
-    const auto [inner, outer] = front_[k];
-    const FacetIndex g = facet_of(outer);
-    std::uint32_t& mark = facets_.mark(g);
-    if (mark == stamp_) continue;
-    if (mark != is_hidden) {
-      if (facets_.visible(g, apex, facets_.height(g, q))) {
-        if (!own(g)) return false;
-        make_visible(g, outer);
-        continue;
-      }
-      mark = is_hidden;
+  std::size_t room = search_room_;
+  FrontRidge* front = front_.room_for(room);
+  FacetIndex* visible = visible_.room_for(room);
+  HorizonRidge* horizon = horizon_.room_for(room);
+  std::size_t front_size = 0;
+  std::size_t visible_size = 0;
+  std::size_t horizon_size = 0;
+  FacetIndex f = seen;
+  Ridge through = kNone;
+  std::size_t k = 0;
+  for (;;) {
+    if (room < front_size + 4) {
+      room = search_room_ = 2 * (front_size + 4);
+      front = front_.room_for(room);
+      visible = visible_.room_for(room);
+      horizon = horizon_.room_for(room);
     }
-    // The apex takes the place of the corner opposite; a double exchange, which keeps the
-    // orientation, puts it first.
-    static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
-    const auto& c = facets_.corners(facet_of(inner));
-    const auto& others = kOthers[corner_of(inner)];
-    horizon_.make_room(1);
-    horizon_.push({{c[others[0]], c[others[1]], c[others[2]]}, outer});
+    // f is visible. Its ridges, but for the one it was entered through, come to the front: the
+    // facets behind are on their way to the cache when their turn comes. Which ridge that is comes
+    // without order: no branch depends on it.
+    facets_.mark(f) = is_visible;
+    visible[visible_size++] = f;
+    const auto& neighbors = facets_.neighbors(f);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      facets_.prefetch(facet_of(neighbors[i]));
+      front[front_size] = {ridge(f, i), neighbors[i]};
+      front_size += ridge(f, i) != through;
+    }
+    // On to the next visible facet.
+    for (;; ++k) {
+      if (k == front_size) {
+        visible_.hold(visible_size);
+        horizon_.hold(horizon_size);
+        return true;
+      }
+      const auto [inner, outer] = front[k];
+      const FacetIndex g = facet_of(outer);
+      std::uint32_t& mark = facets_.mark(g);
+      if (mark == is_visible) continue;
+      if (mark != is_hidden) {
+        if (facets_.visible(g, apex, facets_.height(g, q))) {
+          if (!own(g)) return false;
+          f = g;
+          through = outer;
+          ++k;
+          break;
+        }
+        mark = is_hidden;
+      }
+      // The apex takes the place of the corner opposite; a double exchange, which keeps the
+      // orientation, puts it first.
+      static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
+      const auto& c = facets_.corners(facet_of(inner));
+      const auto& others = kOthers[corner_of(inner)];
+      horizon[horizon_size++] = {{c[others[0]], c[others[1]], c[others[2]]}, outer};
+    }
   }
-  return true;
 }
 
 void Inserter::collect_orphans(Slot apex) {

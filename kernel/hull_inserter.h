@@ -29,6 +29,13 @@ class Stack {
   void make_room(std::size_t n) {
     if (room_.size() < size_ + n) room_.resize(2 * (size_ + n));
   }
+  /// Room for n in all.
+  T* room_for(std::size_t n) {
+    if (room_.size() < n) room_.resize(n);
+    return room_.data();
+  }
+  /// The first n in the room are held.
+  void hold(std::size_t n) { size_ = n; }
   void push(const T& item) { room_[size_++] = item; }
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
@@ -84,7 +91,6 @@ class Inserter {
   // The four steps of Quickhull.
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
-  void make_visible(FacetIndex f, Ridge through);
   void make_cone(Site apex);
   void reassign_conflicts();
 
@@ -108,12 +114,13 @@ class Inserter {
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};
   // Of the insertion under way:
-  Stack<FacetIndex> visible_;
+  std::size_t search_room_ = 0;  ///< of the three that follow
   struct FrontRidge {
     Ridge inner;  ///< seen from a visible facet
     Ridge outer;  ///< the same, seen from the other side
   };
   Stack<FrontRidge> front_;
+  Stack<FacetIndex> visible_;
   Stack<HorizonRidge> horizon_;
   Stack<Slot> orphans_;
   struct ConeFacet {
