@@ -23,14 +23,16 @@ using Places = std::uint8_t;
 
 std::uint32_t place(Places places, std::uint32_t corner) { return (places >> (2 * corner)) & 3; }
 
-struct Ordered {
-  Corners corners;
+/// Where a facet goes, in one place: its neighbours ask for both.
+struct Placed {
+  std::uint32_t tet;
   Places places;
 };
 
 /// Puts corners in ascending order, infinity last; the last two change places if that keeps the
-/// orientation.
-Ordered in_order(const std::array<Site, 4>& corners) {
+/// orientation. Straight to where they stay: put together elsewhere and copied at once, they would
+/// wait for each other, a thirtieth of the hull's time.
+Places put_in_order(const std::array<Site, 4>& corners, Corners& to) {
   std::array<std::uint64_t, 4> keys;
   for (std::size_t i = 0; i < 4; ++i) keys[i] = std::uint64_t{corners[i]} << 2 | i;
   bool odd = false;
@@ -43,12 +45,12 @@ Ordered in_order(const std::array<Site, 4>& corners) {
   };
   order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
   if (odd) std::swap(keys[2], keys[3]);
-  Ordered result{{}, 0};
+  Places places = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    result.corners[k] = VertexId{static_cast<std::uint32_t>(keys[k] >> 2)};
-    result.places = static_cast<Places>(result.places | k << (2 * (keys[k] & 3)));
+    to[k] = VertexId{static_cast<std::uint32_t>(keys[k] >> 2)};
+    places = static_cast<Places>(places | k << (2 * (keys[k] & 3)));
   }
-  return result;
+  return places;
 }
 
 class Output {
@@ -107,18 +109,15 @@ class Output {
   /// Puts facets into their buckets, and the ends of the buckets into first_.
   void scatter(LargeArray<Corners>& tets) {
     facet_at_.resize(count_);
-    places_.resize(facet_count_);
+    placed_.resize(facet_count_);
     for_each_living([&](FacetIndex f) {
       const std::uint32_t at = count_one_up(bucket(f));
-      const Ordered ordered = in_order(facets_[f].corners);
-      tets[at] = ordered.corners;
-      places_[f] = ordered.places;
+      placed_[f].places = put_in_order(facets_[f].corners, tets[at]);
       facet_at_[at] = f;
     });
   }
 
   void sort_buckets(LargeArray<Corners>& tets) {
-    index_.resize(facet_count_);
     parallel_ranges(first_.size() - 1, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) {
         sort_bucket(tets, b == 0 ? 0 : first_[b - 1], first_[b]);
@@ -143,7 +142,7 @@ class Output {
         facet_at_[k] = f;
       }
     }
-    for (std::uint32_t i = begin; i < end; ++i) index_[facet_at_[i]] = i;
+    for (std::uint32_t i = begin; i < end; ++i) placed_[facet_at_[i]].tet = i;
   }
 
   void sort_large_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
@@ -159,10 +158,11 @@ class Output {
     parallel_ranges(count_, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         const FacetIndex f = facet_at_[t];
+        const Places places = placed_[f].places;
         for (std::uint32_t i = 0; i < 4; ++i) {
           const Ridge r = facets_[f].neighbors[i];
-          const FacetIndex g = facet_of(r);
-          neighbors[t][place(places_[f], i)] = 4 * index_[g] + place(places_[g], corner_of(r));
+          const Placed& g = placed_[facet_of(r)];
+          neighbors[t][place(places, i)] = 4 * g.tet + place(g.places, corner_of(r));
         }
       }
     });
@@ -174,8 +174,7 @@ class Output {
   std::size_t count_;
   LargeArray<std::uint32_t> first_;  ///< per bucket
   LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron of the result
-  LargeArray<std::uint32_t> index_;  ///< per facet that lives, its tetrahedron
-  LargeArray<Places> places_;        ///< per facet that lives
+  LargeArray<Placed> placed_;        ///< per facet that lives
 };
 
 }  // namespace
