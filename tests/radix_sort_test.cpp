@@ -47,5 +47,18 @@ TEST_CASE("sorted and reversed keys") {
   CHECK(differences_from_stable_sort(items) == 0);
 }
 
+TEST_CASE("keys that agree in their high bits, few and many at a time") {
+  for (const std::uint64_t kinds : {2u, 40u, 2000u}) {
+    const std::uint64_t seed = kinds;
+    point_sets::Random random(seed);
+    LargeArray<KeyedIndex> items(5000);
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+      items[i] = {random.bits() % kinds << 52 | random.bits() % 1000, i};
+    }
+    CAPTURE(seed);
+    CHECK(differences_from_stable_sort(items) == 0);
+  }
+}
+
 }  // namespace
 }  // namespace tetsculpt
