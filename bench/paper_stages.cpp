@@ -17,7 +17,7 @@ namespace {
 
 bool in_egh(const PaperStages& stages, TetId t, const Exposure& e) {
   for (int i = 0; i < 4; ++i) {
-    if (e.on_boundary[static_cast<std::size_t>(i)] &&
+    if (e.on_boundary(static_cast<std::size_t>(i)) &&
         stages.egh.triangles[+stages.complex.triangle(t, i)]) {
       return true;
     }

@@ -97,6 +97,8 @@ std::optional<std::string> broken_tet(const TetComplex& complex, TetId t,
     else if (+c >= points.size())
       return name(t) + " has a corner out of range";
   }
+  if (!(v[0] < v[1] && v[1] < std::min(v[2], v[3])))
+    return name(t) + " has its corners out of order";
   if (infinite != (complex.finite(t) ? 0 : 1)) return name(t) + " has a wrong corner at infinity";
   if (infinite == 0 &&
       orient3d(points[+v[0]], points[+v[1]], points[+v[2]], points[+v[3]]) != Sign::kPositive) {

@@ -46,7 +46,8 @@ class TetComplex {
  public:
   /// No simplex at all.
   TetComplex() = default;
-  /// Takes the tetrahedra of a hull over `vertex_count` points and finds its triangles and edges.
+  /// Takes the tetrahedra of a hull over `vertex_count` points, their corners in the order that
+  /// LiftedHull promises, and finds its triangles and edges.
   /// Cost: linear; 8 to 10 words per tetrahedron.
   TetComplex(LiftedHull hull, std::size_t vertex_count);
 
@@ -70,6 +71,14 @@ class TetComplex {
     return triangles_of_tet_[+t][static_cast<std::size_t>(corner)];
   }
   EdgeId edge(TetId t, int edge) const { return edges_of_tet_[+t][static_cast<std::size_t>(edge)]; }
+
+  /// Has all that is stored of a tetrahedron on its way to the cache.
+  void prefetch(TetId t) const {
+    __builtin_prefetch(&tets_[+t]);
+    __builtin_prefetch(&neighbors_[+t]);
+    __builtin_prefetch(&triangles_of_tet_[+t]);
+    __builtin_prefetch(&edges_of_tet_[+t]);
+  }
 
   /// The triangle in its first tetrahedron, which is finite; across() gives the other one.
   Facet facet(TriangleId t) const {

@@ -76,8 +76,8 @@ Exposure exposure(const Boundary& boundary, TetId t) {
   const TetComplex& complex = boundary.complex();
   const unsigned faces = boundary.faces(t);
   Exposure e;
-  e.faces = std::popcount(faces);
-  for (std::size_t i = 0; i < 4; ++i) e.on_boundary[i] = (faces >> i & 1) != 0;
+  e.faces = facet_count(faces);
+  e.facets = static_cast<std::uint8_t>(faces);
   if (e.faces == 1) {
     const auto opposite = static_cast<std::size_t>(std::countr_zero(faces));
     e.removable = !boundary.on_boundary(complex.vertices(t)[opposite]);

@@ -68,10 +68,18 @@ struct Exposure {
   int faces = 0;  ///< boundary faces
   bool removable =
       false;  ///< one face and the opposite vertex hidden, or two and the opposite edge
-  std::array<bool, 4> on_boundary{};  ///< per facet
+  std::uint8_t facets = 0;  ///< on the boundary, as Boundary::faces
   int opposite_edge =
       -1;  ///< with two faces: the tetrahedron's edge that joins the other two facets
+
+  bool on_boundary(std::size_t facet) const { return (facets >> facet & 1) != 0; }
 };
+
+/// How many facets of a tetrahedron four bits stand for. (std::popcount is a call where processors
+/// without an instruction for it must do.)
+constexpr int facet_count(unsigned bits) {
+  return static_cast<int>(0x4332322132212110ull >> (4 * bits) & 7);
+}
 
 /// Classifies a tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
 /// 2-manifold of the same topology: never with three or four boundary faces. The rules are the same

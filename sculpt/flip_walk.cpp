@@ -78,7 +78,7 @@ class Walk {
     const Exposure e = exposure(boundary_, t);
     if (e.faces != 3) return e.removable;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (!e.on_boundary[i]) return boundary_.triangles_at(complex_.vertices(t)[i]) == 3;
+      if (!e.on_boundary(i)) return boundary_.triangles_at(complex_.vertices(t)[i]) == 3;
     }
     return false;
   }

@@ -36,7 +36,7 @@ SortedTet sorted(const TetComplex& complex, std::span<const Point3> points, TetI
   SortedTet tet;
   for (std::size_t i = 0; i < 4; ++i) {
     tet.point[i] = &points[+v[order[i]]];
-    tet.facet_on_boundary[i] = exposure.on_boundary[order[i]];
+    tet.facet_on_boundary[i] = exposure.on_boundary(order[i]);
   }
   return tet;
 }
@@ -100,7 +100,7 @@ std::uint32_t Priority::longest_edge_rank(TetId t, const Exposure& exposure) con
   for (std::size_t k = 0; k < 6; ++k) {
     // An edge lies on the two facets opposite the corners that it does not touch.
     const auto [i, j] = kEdgeCorners[5 - k];
-    if (!exposure.on_boundary[i] && !exposure.on_boundary[j]) continue;
+    if (!exposure.on_boundary(i) && !exposure.on_boundary(j)) continue;
     longest = std::max(longest, rank_of_edge_[+complex_->edge(t, static_cast<int>(k))]);
   }
   return longest;

@@ -1,6 +1,5 @@
 #include "sculpt/pseudo_prism.h"
 
-#include <bit>
 #include <optional>
 
 namespace tetsculpt {
@@ -67,8 +66,8 @@ bool is_pseudo_prism(const Boundary& boundary, const PseudoPrism& prism,
   }
   // Only the bases are on the boundary: no other facet of the three, the coastal triangles
   // included.
-  if (boundary.faces(middle) != 0 || std::popcount(boundary.faces(first)) != 1 ||
-      std::popcount(boundary.faces(last)) != 1) {
+  if (boundary.faces(middle) != 0 || facet_count(boundary.faces(first)) != 1 ||
+      facet_count(boundary.faces(last)) != 1) {
     return false;
   }
   const std::optional<Chain> chain = chain_of(boundary, prism);

@@ -18,10 +18,11 @@
 
 #include <algorithm>
 #include <array>
-#include <queue>
+#include <bit>
 
 #include "sculpt/boundary.h"
 #include "sculpt/pseudo_prism.h"
+#include "sculpt/removal_queue.h"
 
 namespace tetsculpt {
 namespace {
@@ -29,9 +30,7 @@ namespace {
 enum class Step { kUnconstrained, kConstrained, kEghLifted, kAllLifted, kExposeTree };
 constexpr std::size_t kSteps = 5;
 
-/// Added to a key to put it behind all others: ranks are below 2^32.
-constexpr double kLast = 0x1p40;
-
+template <class Queue>
 class PaperSculptor {
  public:
   PaperSculptor(std::span<const Point3> points, const TetComplex& complex,
@@ -41,25 +40,15 @@ class PaperSculptor {
         options_(options),
         boundary_(complex),
         priority_(options.criterion, points, complex),
-        heap_(Later{&complex}) {
+        queue_(complex, complex.edge_count()) {
     for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-      if (look(TetId{t}).faces > 0) touched_.push_back(TetId{t});
+      if (faces(TetId{t}) != 0) touched_.push_back(TetId{t});
     }
   }
 
   Sculpture run();
 
  private:
-  struct Entry {
-    double key;
-    TetId tet;
-  };
-  struct Later {
-    const TetComplex* complex;
-    bool operator()(const Entry& a, const Entry& b) const {
-      return a.key != b.key ? a.key > b.key : corners_less(*complex, b.tet, a.tet);
-    }
-  };
   struct PrismEntry {
     std::uint32_t rank;
     PseudoPrism prism;
@@ -70,8 +59,13 @@ class PaperSculptor {
     ++out_.work.looks;
     return exposure(boundary_, t);
   }
+  /// Its facets on the boundary, as bits; a look, too.
+  unsigned faces(TetId t) {
+    ++out_.work.looks;
+    return boundary_.faces(t);
+  }
   void run_step(Step step);
-  bool current(Step step, const Entry& entry);
+  bool current(Step step, const RemovalEntry& entry);
   bool done(Step step) const;
   bool allowed(Step step, TetId t, const Exposure& e) const;
   bool in_egh(TetId t, const Exposure& e) const;
@@ -91,7 +85,7 @@ class PaperSculptor {
   const PaperOptions& options_;
   Boundary boundary_;
   Priority priority_;
-  std::priority_queue<Entry, std::vector<Entry>, Later> heap_;
+  Queue queue_;
   std::vector<PrismEntry> prisms_;          ///< a heap by before()
   std::vector<TetId> touched_;              ///< log: their boundary faces changed
   std::array<std::size_t, kSteps> seen_{};  ///< per step, how much of the log it has seen
@@ -99,7 +93,8 @@ class PaperSculptor {
   Sculpture out_;
 };
 
-Sculpture PaperSculptor::run() {
+template <class Queue>
+Sculpture PaperSculptor<Queue>::run() {
   if (options_.criterion != Criterion::kConstrained) {
     run_step(Step::kUnconstrained);
   } else {
@@ -119,12 +114,12 @@ Sculpture PaperSculptor::run() {
 }
 
 /// Removes what the step allows, in the order of its heap, until nothing is left or it is done.
-void PaperSculptor::run_step(Step step) {
-  heap_ = decltype(heap_)(Later{&complex_});
+template <class Queue>
+void PaperSculptor<Queue>::run_step(Step step) {
+  queue_.clear();
   push_touched(step);
-  while (!heap_.empty() && !done(step)) {
-    const Entry entry = heap_.top();
-    heap_.pop();
+  while (!queue_.empty() && !done(step)) {
+    const RemovalEntry entry = queue_.pop();
     ++out_.work.pops;
     if (!current(step, entry)) {
       ++out_.work.stale;
@@ -136,13 +131,15 @@ void PaperSculptor::run_step(Step step) {
 }
 
 /// Would the entry be pushed again as it is?
-bool PaperSculptor::current(Step step, const Entry& entry) {
+template <class Queue>
+bool PaperSculptor<Queue>::current(Step step, const RemovalEntry& entry) {
   if (!boundary_.solid(entry.tet)) return false;
   const Exposure e = look(entry.tet);
   return allowed(step, entry.tet, e) && key(step, entry.tet, e) == entry.key;
 }
 
-bool PaperSculptor::done(Step step) const {
+template <class Queue>
+bool PaperSculptor<Queue>::done(Step step) const {
   switch (step) {
     case Step::kConstrained:
       return options_.stop == PaperOptions::Stop::kAllExposed && boundary_.hidden_count() == 0;
@@ -153,7 +150,8 @@ bool PaperSculptor::done(Step step) const {
   }
 }
 
-bool PaperSculptor::allowed(Step step, TetId t, const Exposure& e) const {
+template <class Queue>
+bool PaperSculptor<Queue>::allowed(Step step, TetId t, const Exposure& e) const {
   if (!e.removable) return false;
   switch (step) {
     case Step::kConstrained:
@@ -168,9 +166,10 @@ bool PaperSculptor::allowed(Step step, TetId t, const Exposure& e) const {
 }
 
 /// Is a boundary face of t a triangle of the EGH?
-bool PaperSculptor::in_egh(TetId t, const Exposure& e) const {
+template <class Queue>
+bool PaperSculptor<Queue>::in_egh(TetId t, const Exposure& e) const {
   for (int i = 0; i < 4; ++i) {
-    if (e.on_boundary[static_cast<std::size_t>(i)] &&
+    if (e.on_boundary(static_cast<std::size_t>(i)) &&
         constraints_.egh_triangles[+complex_.triangle(t, i)]) {
       return true;
     }
@@ -179,41 +178,48 @@ bool PaperSculptor::in_egh(TetId t, const Exposure& e) const {
 }
 
 /// With two boundary faces, is their common edge in the EMST?
-bool PaperSculptor::common_edge_in_tree(TetId t, const Exposure& e) const {
+template <class Queue>
+bool PaperSculptor<Queue>::common_edge_in_tree(TetId t, const Exposure& e) const {
   return e.faces == 2 && constraints_.emst_edges[+complex_.edge(t, 5 - e.opposite_edge)];
 }
 
 /// Would the removal of t bring an edge of the EMST to the boundary?
-bool PaperSculptor::exposes_tree_edge(TetId t, const Exposure& e) const {
+template <class Queue>
+bool PaperSculptor<Queue>::exposes_tree_edge(TetId t, const Exposure& e) const {
   for (int k = 0; k < 6; ++k) {
     // An edge comes out with the removal if it is on none of the boundary faces.
     const auto [i, j] = kEdgeCorners[static_cast<std::size_t>(5 - k)];
-    if (e.on_boundary[i] || e.on_boundary[j]) continue;
+    if (e.on_boundary(i) || e.on_boundary(j)) continue;
     const EdgeId edge = complex_.edge(t, k);
     if (constraints_.emst_edges[+edge] && !boundary_.on_boundary(edge)) return true;
   }
   return false;
 }
 
-double PaperSculptor::key(Step step, TetId t, const Exposure& e) const {
+template <class Queue>
+double PaperSculptor<Queue>::key(Step step, TetId t, const Exposure& e) const {
   const bool exposing = step == Step::kEghLifted || step == Step::kAllLifted;
-  return priority_.key(t, e) + (exposing && e.faces == 2 ? kLast : 0);
+  return priority_.key(t, e) + (exposing && e.faces == 2 ? kBehindAll : 0);
 }
 
-void PaperSculptor::push(Step step, TetId t) {
+template <class Queue>
+void PaperSculptor<Queue>::push(Step step, TetId t) {
   if (!boundary_.solid(t)) return;
   const Exposure e = look(t);
   if (!allowed(step, t, e)) return;
-  heap_.push({key(step, t, e), t});
+  queue_.push({key(step, t, e), t});
   ++out_.work.pushes;
 }
 
-void PaperSculptor::push_touched(Step step) {
+template <class Queue>
+void PaperSculptor<Queue>::push_touched(Step step) {
   std::size_t& seen = seen_[static_cast<std::size_t>(step)];
   for (; seen < touched_.size(); ++seen) push(step, touched_[seen]);
 }
 
-void PaperSculptor::remove(TetId t) {
+template <class Queue>
+void PaperSculptor<Queue>::remove(TetId t) {
+  for (int i = 0; i < 4; ++i) complex_.prefetch(complex_.neighbor(t, i));
   boundary_.remove(t);
   out_.removed.push_back(t);
   for (int i = 0; i < 4; ++i) {
@@ -227,7 +233,8 @@ void PaperSculptor::remove(TetId t) {
 }
 
 /// Removes the pseudo-prism with the longest boundary edge, if there is any.
-bool PaperSculptor::open_hole() {
+template <class Queue>
+bool PaperSculptor<Queue>::open_hole() {
   find_prisms();
   const auto later = [&](const PrismEntry& a, const PrismEntry& b) { return before(b, a); };
   while (!prisms_.empty()) {
@@ -244,14 +251,14 @@ bool PaperSculptor::open_hole() {
 
 /// Looks for pseudo-prisms on the boundary faces that are new. A chain that is none cannot become
 /// one unless a base is: coastal edges never leave the boundary while the chain is solid.
-void PaperSculptor::find_prisms() {
+template <class Queue>
+void PaperSculptor<Queue>::find_prisms() {
   const auto later = [&](const PrismEntry& a, const PrismEntry& b) { return before(b, a); };
   for (; seen_by_prisms_ < touched_.size(); ++seen_by_prisms_) {
     const TetId t = touched_[seen_by_prisms_];
     if (!boundary_.solid(t)) continue;
-    const Exposure e = look(t);
-    for (int i = 0; i < 4; ++i) {
-      if (!e.on_boundary[static_cast<std::size_t>(i)]) continue;
+    for (unsigned left = faces(t); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
       ++out_.work.bases;
       for (const PseudoPrism& prism : pseudo_prisms(boundary_, t, i, constraints_.emst_edges)) {
         prisms_.push_back({prism_rank(prism), prism});
@@ -262,7 +269,8 @@ void PaperSculptor::find_prisms() {
   }
 }
 
-std::uint32_t PaperSculptor::prism_rank(const PseudoPrism& prism) {
+template <class Queue>
+std::uint32_t PaperSculptor<Queue>::prism_rank(const PseudoPrism& prism) {
   std::uint32_t rank = 0;
   for (const TetId t : {prism.tets[0], prism.tets[2]}) {
     rank = std::max(rank, priority_.longest_edge_rank(t, look(t)));
@@ -272,7 +280,8 @@ std::uint32_t PaperSculptor::prism_rank(const PseudoPrism& prism) {
 
 /// The order of prisms: longest boundary edge first, then lexicographic order of the tetrahedra,
 /// the two ends of a chain taken in that order, too.
-bool PaperSculptor::before(const PrismEntry& a, const PrismEntry& b) const {
+template <class Queue>
+bool PaperSculptor<Queue>::before(const PrismEntry& a, const PrismEntry& b) const {
   if (a.rank != b.rank) return a.rank > b.rank;
   const auto ordered = [&](PseudoPrism p) {
     if (corners_less(complex_, p.tets[2], p.tets[0])) std::swap(p.tets[0], p.tets[2]);
@@ -290,7 +299,11 @@ bool PaperSculptor::before(const PrismEntry& a, const PrismEntry& b) const {
 
 Sculpture sculpt_paper(std::span<const Point3> points, const TetComplex& complex,
                        const Constraints& constraints, const PaperOptions& options) {
-  return PaperSculptor(points, complex, constraints, options).run();
+  if (options.criterion == Criterion::kConstrained ||
+      options.criterion == Criterion::kLongestEdge) {
+    return PaperSculptor<RankQueue>(points, complex, constraints, options).run();
+  }
+  return PaperSculptor<KeyQueue>(points, complex, constraints, options).run();
 }
 
 }  // namespace tetsculpt

@@ -35,7 +35,7 @@ void check_exposures(const testing::Stages& s, const Boundary& boundary, const R
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& c = kFacetCorners[i];
       const bool face = rules.replay().on_boundary(sorted({v[c[0]], v[c[1]], v[c[2]]}));
-      REQUIRE(e.on_boundary[i] == face);
+      REQUIRE(e.on_boundary(i) == face);
       if (face) on.push_back(i);
     }
     REQUIRE(e.faces == static_cast<int>(on.size()));

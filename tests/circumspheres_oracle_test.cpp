@@ -176,7 +176,7 @@ TEST_CASE("overlaps: the same from both sides, in range, and as the formula has 
 TEST_CASE("spheres do not depend on the numbering of the complex") {
   for (const testing::NamedSet& set : all_sets()) {
     const testing::Stages s = testing::stages(set.points);
-    const TetComplex other = testing::renumbered(s.complex, 1, testing::CornerOrder::kKept);
+    const TetComplex other = testing::renumbered(s.complex, 1);
     const auto numbers_by_corners = [&](const TetComplex& complex) {
       const Circumspheres spheres(s.points(), complex);
       std::map<std::array<VertexId, 4>, std::array<double, 4>> numbers;

@@ -22,10 +22,10 @@ std::string complaint(LiftedHull hull, const std::vector<Point3>& points) {
   return broken_invariant(complex, points).value_or("sound");
 }
 
-/// Exchanges two corners of a facet together with its neighbours: sound but for the orientation.
-void turn_inside_out(LiftedHull& hull, std::uint32_t t) {
-  std::swap(hull.tets[t][1], hull.tets[t][2]);
-  std::swap(hull.neighbors[t][1], hull.neighbors[t][2]);
+/// Exchanges two corners of a tetrahedron together with its neighbours.
+void exchange(LiftedHull& hull, std::uint32_t t, std::size_t a, std::size_t b) {
+  std::swap(hull.tets[t][a], hull.tets[t][b]);
+  std::swap(hull.neighbors[t][a], hull.neighbors[t][b]);
   for (std::uint32_t i = 0; i < 4; ++i) {
     const FacetHandle h = hull.neighbors[t][i];
     hull.neighbors[h >> 2][h & 3] = 4 * t + i;
@@ -66,14 +66,22 @@ TEST_CASE("sound complexes pass") {
 TEST_CASE("a tetrahedron turned inside out") {
   const std::vector<Point3> points = some_points();
   LiftedHull hull = lifted_hull(points);
-  turn_inside_out(hull, 0);
+  exchange(hull, 0, 2, 3);
   CHECK(complaint(std::move(hull), points) == "tetrahedron 0 is not positively oriented");
+}
+
+TEST_CASE("a tetrahedron with its corners in another order of the same orientation") {
+  const std::vector<Point3> points = some_points();
+  LiftedHull hull = lifted_hull(points);
+  exchange(hull, 0, 0, 1);
+  exchange(hull, 0, 2, 3);
+  CHECK(complaint(std::move(hull), points) == "tetrahedron 0 has its corners out of order");
 }
 
 TEST_CASE("an infinite tetrahedron turned inside out") {
   const std::vector<Point3> points = some_points();
   LiftedHull hull = lifted_hull(points);
-  turn_inside_out(hull, static_cast<std::uint32_t>(hull.finite_count));
+  exchange(hull, static_cast<std::uint32_t>(hull.finite_count), 2, 3);
   CHECK(complaint(std::move(hull), points).find("does not match its neighbour") !=
         std::string::npos);
 }

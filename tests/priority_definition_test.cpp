@@ -28,8 +28,8 @@ struct OneTet {
     Exposure e;
     for (const std::size_t i : faces_opposite) {
       const VertexId v = stages.distinct.vertex_of_input[i];
-      e.on_boundary[static_cast<std::size_t>(corner_of(stages.complex.vertices(TetId{0}), v))] =
-          true;
+      e.facets = static_cast<std::uint8_t>(e.facets |
+                                           1u << corner_of(stages.complex.vertices(TetId{0}), v));
       ++e.faces;
     }
     return Priority(criterion, stages.points(), stages.complex).key(TetId{0}, e);
@@ -112,7 +112,7 @@ TEST_CASE("ranks follow exact length, then the end points") {
       for (std::size_t face = 0; face < 4; ++face) {
         Exposure e;
         e.faces = 1;
-        e.on_boundary[face] = true;
+        e.facets = static_cast<std::uint8_t>(e.facets | 1u << face);
         const auto& [i, j, k] = kFacetCorners[face];
         longest.emplace_back(
             std::max({order_of(t, kEdgeOfCorners[i][j]), order_of(t, kEdgeOfCorners[j][k]),

@@ -28,7 +28,7 @@ std::set<Chain> found_prisms(const testing::Stages& s, const Boundary& boundary,
   for (const TetId t : s.tets()) {
     if (!boundary.solid(t)) continue;
     for (int i = 0; i < 4; ++i) {
-      if (!exposure(boundary, t).on_boundary[static_cast<std::size_t>(i)]) continue;
+      if (!exposure(boundary, t).on_boundary(static_cast<std::size_t>(i))) continue;
       const auto from_here = pseudo_prisms(boundary, t, i, flagged);
       REQUIRE(from_here.size() <= 6);
       for (const PseudoPrism& prism : from_here) REQUIRE(prisms.insert(prism.tets).second);

@@ -13,8 +13,9 @@ foreach(
   paper_order_test
   paper_rules_test
   paper_work_test
-  priority_corner_order_test
+  priority_numbering_test
   priority_definition_test
+  removal_queue_test
   prism_brute_force_test
   reconstruct_cancel_test
   reconstruct_input_points_test

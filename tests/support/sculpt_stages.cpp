@@ -71,18 +71,13 @@ Stages stages(std::span<const Point3> input) {
   return stages(std::move(distinct), std::move(complex));
 }
 
-TetComplex renumbered(const TetComplex& complex, std::uint64_t seed, CornerOrder corners) {
+TetComplex renumbered(const TetComplex& complex, std::uint64_t seed) {
   point_sets::Random random(seed);
   std::vector<std::uint32_t> place(complex.tet_count());
   std::iota(place.begin(), place.end(), 0u);
   // The finite tetrahedra stay in front.
   for (std::size_t i = complex.finite_tet_count(); i > 1; --i) {
     std::swap(place[i - 1], place[random.below(i)]);
-  }
-  // Corner i goes to the place i ^ turn: an even permutation.
-  std::vector<std::uint32_t> turn(complex.tet_count(), 0);
-  if (corners == CornerOrder::kTurned) {
-    for (std::uint32_t& bits : turn) bits = static_cast<std::uint32_t>(random.below(4));
   }
   LiftedHull hull;
   hull.finite_count = complex.finite_tet_count();
@@ -91,9 +86,9 @@ TetComplex renumbered(const TetComplex& complex, std::uint64_t seed, CornerOrder
   for (std::uint32_t t = 0; t < complex.tet_count(); ++t) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const Facet other = complex.across(TetId{t}, static_cast<int>(i));
-      const auto corner = static_cast<std::uint32_t>(other.corner) ^ turn[+other.tet];
-      hull.tets[place[t]][i ^ turn[t]] = complex.vertices(TetId{t})[i];
-      hull.neighbors[place[t]][i ^ turn[t]] = 4 * place[+other.tet] + corner;
+      const auto corner = static_cast<std::uint32_t>(other.corner);
+      hull.tets[place[t]][i] = complex.vertices(TetId{t})[i];
+      hull.neighbors[place[t]][i] = 4 * place[+other.tet] + corner;
     }
   }
   return TetComplex(std::move(hull), complex.vertex_count());

@@ -38,11 +38,8 @@ Stages stages(std::span<const Point3> input);
 /// The same over a complex that is given.
 Stages stages(DistinctPoints distinct, TetComplex complex);
 
-enum class CornerOrder { kKept, kTurned };
-/// The same complex with its tetrahedra numbered otherwise and, if they are to be turned, the
-/// corners of each in another order of the same orientation.
-TetComplex renumbered(const TetComplex& complex, std::uint64_t seed,
-                      CornerOrder corners = CornerOrder::kTurned);
+/// The same complex with its tetrahedra numbered otherwise.
+TetComplex renumbered(const TetComplex& complex, std::uint64_t seed);
 
 /// A point set with the words that make it anew, seed included.
 struct NamedSet {

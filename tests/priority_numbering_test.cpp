@@ -1,5 +1,4 @@
-// Keys depend on nothing but the points: not on the order of a tetrahedron's corners, nor on its
-// number; to the last bit.
+// Keys depend on nothing but the points, not on a tetrahedron's number; to the last bit.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ Exposure exposed(const FourCorners& tet, std::size_t first, std::size_t second) 
   const FourCorners ascending = sorted(tet);
   Exposure e;
   for (const std::size_t i : {first, second}) {
-    e.on_boundary[static_cast<std::size_t>(corner_of(tet, ascending[i]))] = true;
+    e.facets = static_cast<std::uint8_t>(e.facets | 1u << corner_of(tet, ascending[i]));
   }
   e.faces = first == second ? 1 : 2;
   return e;

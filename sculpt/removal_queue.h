@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <queue>
+#include <vector>
+
+#include "kernel/large_array.h"
+#include "sculpt/priority.h"
+
+/// Queues of tetrahedra that may be removed: smallest key first, equal keys in the lexicographic
+/// order of corners. An entry may be in a queue several times.
+namespace tetsculpt {
+
+struct RemovalEntry {
+  double key;
+  TetId tet;
+};
+
+/// Added to a key it puts an entry behind all others: ranks are below 2^32.
+inline constexpr double kBehindAll = 0x1p40;
+
+/// For any keys.
+class KeyQueue {
+ public:
+  KeyQueue(const TetComplex& complex, std::size_t) : heap_(Later{&complex}) {}
+
+  bool empty() const { return heap_.empty(); }
+  void push(const RemovalEntry& entry) { heap_.push(entry); }
+  RemovalEntry pop() {
+    const RemovalEntry first = heap_.top();
+    heap_.pop();
+    return first;
+  }
+  void clear() {
+    while (!empty()) heap_.pop();
+  }
+
+ private:
+  struct Later {
+    const TetComplex* complex;
+    bool operator()(const RemovalEntry& a, const RemovalEntry& b) const {
+      return a.key != b.key ? a.key > b.key : corners_less(*complex, b.tet, a.tet);
+    }
+  };
+  std::priority_queue<RemovalEntry, std::vector<RemovalEntry>, Later> heap_;
+};
+
+/// For keys that are -r or kBehindAll - r, of ranks r below a bound: one list per key, and a tree
+/// of bits for which lists are not empty. A push or pop takes a few steps, whatever the size.
+class RankQueue {
+ public:
+  RankQueue(const TetComplex& complex, std::size_t ranks);
+
+  bool empty() const { return size_ == 0; }
+  void push(const RemovalEntry& entry);
+  RemovalEntry pop();
+  void clear();
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  /// 64^5 lists: more than edges can have ids, twice.
+  static constexpr std::size_t kLevels = 6;
+  struct Item {
+    TetId tet;
+    std::uint32_t next;
+  };
+
+  /// The list of a key: the higher, the earlier.
+  std::size_t list_of(double key) const {
+    return static_cast<std::size_t>(key <= 0 ? static_cast<double>(ranks_) - key
+                                             : kBehindAll - key);
+  }
+  double key_of(std::size_t list) const {
+    return list >= ranks_ ? static_cast<double>(ranks_) - static_cast<double>(list)
+                          : kBehindAll - static_cast<double>(list);
+  }
+  std::size_t first_list() const;
+  void mark(std::size_t list);
+  void unmark(std::size_t list);
+
+  const TetComplex* complex_;
+  std::size_t ranks_;
+  std::size_t size_ = 0;
+  LargeArray<std::uint32_t> first_;  ///< per list
+  std::vector<Item> items_;
+  std::uint32_t free_ = kNone;                            ///< list of items that hold nothing
+  std::array<std::vector<std::uint64_t>, kLevels> bits_;  ///< a level has one bit per word below
+};
+
+}  // namespace tetsculpt
