@@ -6,22 +6,11 @@
 #include <system_error>
 
 #include "io/io_error.h"
+#include "io/line_of.h"
 #include "io/parse_number.h"
 #include "io/quoted.h"
 
 namespace tetsculpt {
-namespace {
-
-std::uint64_t line_of(std::string_view text, std::size_t offset) {
-  std::uint64_t line = 1;
-  for (std::size_t i = 0; i < offset; ++i) {
-    line += text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-  }
-  return line;
-}
-
-}  // namespace
-
 WordCursor::WordCursor(std::string_view text, const std::filesystem::path& path,
                        const WordDialect& dialect)
     : text_(text), path_(&path), comment_(dialect.comment) {
