@@ -83,14 +83,6 @@ Point3 WordCursor::point() {
   return {x, y, z};
 }
 
-std::string_view WordCursor::rest_of_line() {
-  const std::size_t begin = at_;
-  const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-  at_ = std::min(end + 1, text_.size());
-  const std::string_view line = text_.substr(begin, end - begin);
-  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
-}
-
 void WordCursor::fail(std::string_view reason) const {
   throw IoError(*path_, LineNumber{line_of(text_, latest_)}, reason);
 }

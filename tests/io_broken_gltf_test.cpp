@@ -72,7 +72,7 @@ TEST_CASE("buffers") {
   CHECK(refusal(";base64", "") == "1: buffer: its uri holds no base64 text");
   CHECK(refusal(R"("uri")", R"("url")") == "1: buffer: no uri, and no binary chunk");
   CHECK(refusal(":60", ":61") == "1: buffer: 61 bytes announced, there are 60");
-  CHECK(refusal(":48}", ":61}") == "1: bufferView: 61 bytes from byte 0 of a buffer of 60 bytes");
+  CHECK(refusal(":48}", ":61}") == "1: bufferView: 61 bytes from byte 0 of a buffer of 60");
   CHECK(refusal(R"({"buffer":0)", R"({"buffer":7)") ==
         "1: index 7 into buffers, of which there are 1");
 }
