@@ -46,8 +46,8 @@ def made():
         shift = [k if k < shared else k + 4 for k in range(4)]
         yield "two sharing %d" % shared, tetrahedron + [(-7 - x, -y, -z) for x, y, z in tetrahedron], faces + [
             tuple(shift[k] for k in f) for f in faces]
-    inner = [tuple(0.1 + x / 9 for x in p) for p in tetrahedron]
-    yield "a cavity", tetrahedron + inner, faces + [(4 + a, 4 + c, 4 + b) for a, b, c in faces]
+    yield "a cavity", tetrahedron + [tuple(0.1 + x / 9 for x in p) for p in tetrahedron], faces + [
+        (4 + a, 4 + c, 4 + b) for a, b, c in faces]
     yield "a soup", [tetrahedron[k] for f in faces for k in f], [(i, i + 1, i + 2) for i in range(0, 12, 3)]
 
 
@@ -70,11 +70,9 @@ def breakages(points, faces):
 def read_ply(data):
     head, body = data.split(b"end_header\n", 1)
     words = [line.split() for line in head.decode().split("\n")]
-    counts = [int(w[2]) for w in words if w[:1] == ["element"]]
-    real = "d" if ["property", "double", "x"] in words else "f"
-    size = struct.calcsize("<3" + real)
-    points = list(struct.iter_unpack("<3" + real, body[: size * counts[0]]))
-    return points, [row[1:] for row in struct.iter_unpack("<B3i", body[size * counts[0]:])]
+    point = struct.Struct("<3d" if ["property", "double", "x"] in words else "<3f")
+    end = point.size * next(int(w[2]) for w in words if w[:2] == ["element", "vertex"])
+    return list(point.iter_unpack(body[:end])), [row[1:] for row in struct.iter_unpack("<B3i", body[end:])]
 
 
 def verdicts(cli, judge, file):
@@ -93,8 +91,8 @@ def verdicts(cli, judge, file):
 
 
 def write_off(file, points, faces):
-    rows = ["OFF", "%d %d 0" % (len(points), len(faces))] + ["%r %r %r" % tuple(p) for p in points]
-    file.write_text("\n".join(rows + ["3 %d %d %d" % tuple(f) for f in faces]) + "\n")
+    file.write_text("OFF %d %d 0\n" % (len(points), len(faces)) + "".join("%r %r %r\n" % tuple(p) for p in points)
+                    + "".join("3 %d %d %d\n" % tuple(f) for f in faces))
 
 
 def main():
