@@ -105,9 +105,8 @@ def main():
     for path in sorted(pathlib.Path(options.data).glob("train/mesh/*.mesh.ply.gz")):
         points, faces = read_ply(gzip.decompress(path.read_bytes()))
         if len(faces) <= options.most: meshes.append((path.name.split(".")[0], points, faces))
-    results = []
     with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder, "mesh.off")
+        file, results = pathlib.Path(folder, "mesh.off"), []
         for name, points, faces in meshes:
             for how, *broken in breakages(points, faces):
                 write_off(file, *broken)
