@@ -77,7 +77,8 @@ GltfElements GltfBuffers::elements(const JsonValue& accessor) {
   const JsonValue& view_of = json_.item("bufferViews", *view_index, accessor);
   const std::string_view bytes = view(view_of);
   const std::uint64_t element = size * shape->second;
-  const std::uint64_t stride = json_.integer_if_any(view_of, "byteStride").value_or(element);
+  const std::uint64_t told = json_.integer_if_any(view_of, "byteStride").value_or(0);
+  const std::uint64_t stride = told == 0 ? element : told;
   constexpr std::uint64_t kLongestStride = 252;
   if (stride < element || stride > std::max(kLongestStride, element)) {
     fail("elements of " + std::to_string(element) + " bytes, " + std::to_string(stride) + " apart");
