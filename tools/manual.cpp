@@ -14,7 +14,7 @@ namespace tetsculpt::cli {
 namespace {
 
 /// When the text was last gone over.
-constexpr std::string_view kWritten = "2026-11-24";
+constexpr std::string_view kWritten = "2026-11-26";
 
 /// Text as troff takes it literally.
 std::string literal(std::string_view text) {
