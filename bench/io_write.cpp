@@ -1,4 +1,6 @@
-// Throughput of the writers into the page cache, beside that of writing the same bytes as they are.
+// Throughput of the writers into the page cache, beside that of writing the same bytes as they are,
+// and of a copy of the file. Every file is a new one, but for those called "replaced": to rename a
+// file over another makes some file systems (ext4) send its bytes to the disk at once.
 //   build/release/bench/bench_io_write --benchmark_filter=ply
 #include <benchmark/benchmark.h>
 
@@ -51,9 +53,23 @@ void count_bytes(benchmark::State& state) {
   fs::remove(target());
 }
 
+void remove_target(benchmark::State& state) {
+  state.PauseTiming();
+  fs::remove(target());
+  state.ResumeTiming();
+}
+
 void run_write(benchmark::State& state, const TriangleMesh& mesh, const WriteMeshOptions& options) {
   for (auto _ : state) {
+    remove_target(state);
     benchmark::DoNotOptimize(write_mesh(mesh, target(), options));
+  }
+  count_bytes(state);
+}
+
+void run_replace(benchmark::State& state, const TriangleMesh& mesh) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(write_mesh(mesh, target(), {.format = MeshFormat::kPly}));
   }
   count_bytes(state);
 }
@@ -68,7 +84,7 @@ std::string bytes_of(const TriangleMesh& mesh) {
 void run_fwrite(benchmark::State& state, const TriangleMesh& mesh) {
   const std::string bytes = bytes_of(mesh);
   for (auto _ : state) {
-    fs::remove(target());
+    remove_target(state);
     std::FILE* file = std::fopen(target().string().c_str(), "wb");
     benchmark::DoNotOptimize(std::fwrite(bytes.data(), 1, bytes.size(), file));
     std::fclose(file);
@@ -79,11 +95,23 @@ void run_fwrite(benchmark::State& state, const TriangleMesh& mesh) {
 void run_atomic_file(benchmark::State& state, const TriangleMesh& mesh) {
   const std::string bytes = bytes_of(mesh);
   for (auto _ : state) {
+    remove_target(state);
     AtomicFile file(target());
     file.write(bytes);
     file.commit();
   }
   count_bytes(state);
+}
+
+void run_copy(benchmark::State& state, const TriangleMesh& mesh) {
+  const fs::path source = target().string() + "_source";
+  write_mesh(mesh, source, {.format = MeshFormat::kPly});
+  for (auto _ : state) {
+    remove_target(state);
+    fs::copy_file(source, target());
+  }
+  count_bytes(state);
+  fs::remove(source);
 }
 
 template <class... Arguments>
@@ -95,7 +123,9 @@ void add(const std::string& name, const Arguments&... arguments) {
 
 void add_all(const TriangleMesh& mesh, const std::vector<Attribute>& attributes) {
   add("yardstick/fwrite", [&](benchmark::State& state) { run_fwrite(state, mesh); });
+  add("yardstick/copy", [&](benchmark::State& state) { run_copy(state, mesh); });
   add("yardstick/atomic_file", [&](benchmark::State& state) { run_atomic_file(state, mesh); });
+  add("replaced/ply", [&](benchmark::State& state) { run_replace(state, mesh); });
   const auto add_format = [&](const std::string& name, WriteMeshOptions options) {
     add(name, [&mesh, options](benchmark::State& state) { run_write(state, mesh, options); });
     options.attributes = attributes;

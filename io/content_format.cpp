@@ -59,7 +59,7 @@ constexpr Unreadable kUnreadable[] = {
     {"\x89PNG\r\n"sv, "a picture (PNG), not points"},
     {"\xFF\xD8\xFF"sv, "a picture (JPEG), not points"},
     {"%PDF-"sv, "a PDF document, not points"},
-    {"glTF"sv, "a binary glTF file, which is not read: export it as PLY"},
+    {"glTF"sv, "a binary glTF file, of which no points are read: export it as PLY"},
     {"ASTM-E57"sv, "an E57 file, which is not read: export it as PLY or LAS"},
     {"<?xml"sv, "an XML file, which is not read: export it as PLY"},
     {"<VTKFile"sv, "a VTK XML file, which is not read: export it as PLY or legacy VTK"},

@@ -30,10 +30,14 @@ bool all_survive(std::span<const Point3> points, Axis axis, double origin) {
 
 double origin_on(std::span<const Point3> points, Axis axis) {
   if (points.empty() || all_survive(points, axis, 0)) return 0;
-  const auto [low, high] =
-      std::ranges::minmax(points, {}, [&](const Point3& p) { return p.*axis; });
-  const double half = high.*axis / 2 - low.*axis / 2;
-  const double middle = low.*axis / 2 + high.*axis / 2;
+  double low = points.front().*axis;
+  double high = low;
+  for (const Point3& p : points) {
+    low = std::min(low, p.*axis);
+    high = std::max(high, p.*axis);
+  }
+  const double half = high / 2 - low / 2;
+  const double middle = low / 2 + high / 2;
   if (half == 0) return middle;
   const int exponent = std::ilogb(half);
   return std::scalbn(std::nearbyint(std::scalbn(middle, -exponent)), exponent);

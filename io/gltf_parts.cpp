@@ -116,8 +116,14 @@ GltfPart index_part(const TriangleMesh& mesh) {
           .stride = 4,
           .type = GltfType::kUint32,
           .store = [&mesh](RowRange rows, char* to) {
-            store_column(to, 4, rows, kOrder,
-                         [&](std::size_t i) { return mesh.triangles[i / 3][i % 3]; });
+            std::size_t triangle = rows.first / 3;
+            std::size_t corner = rows.first % 3;
+            for (std::size_t left = rows.count; left > 0; --left) {
+              to = store_number(to, mesh.triangles[triangle][corner], kOrder);
+              if (++corner < 3) continue;
+              corner = 0;
+              ++triangle;
+            }
           }};
 }
 

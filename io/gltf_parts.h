@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/attribute.h"
+#include "io/gltf_codes.h"
 #include "io/number_columns.h"
 #include "io/write_report.h"
 #include "kernel/point.h"
@@ -14,16 +15,6 @@
 
 /// A mesh as the accessors of a glTF 2.0 asset.
 namespace tetsculpt {
-
-/// Codes of the format.
-enum class GltfType {
-  kInt8 = 5120,
-  kUint8 = 5121,
-  kInt16 = 5122,
-  kUint16 = 5123,
-  kUint32 = 5125,
-  kFloat32 = 5126,
-};
 
 /// One accessor with its own buffer view. It holds references to what it was made of.
 struct GltfPart {

@@ -13,15 +13,13 @@
 #include "io/base64.h"
 #include "io/byte_order.h"
 #include "io/float_coordinates.h"
+#include "io/gltf_codes.h"
 #include "io/gltf_parts.h"
 #include "io/io_error.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
-constexpr std::uint32_t kJson = 0x4e4f534a;   // "JSON"
-constexpr std::uint32_t kBin = 0x004e4942;    // "BIN"
 constexpr std::string_view kAsset = R"("asset":{"version":"2.0","generator":"tetsculpt"})";
 constexpr std::size_t kVertexTarget = 34962;
 constexpr std::size_t kIndexTarget = 34963;
@@ -188,11 +186,11 @@ void write_binary(const std::vector<GltfPart>& parts, List members, AtomicFile& 
   if (all > std::numeric_limits<std::uint32_t>::max()) {
     throw IoError(out.name(), "a .glb file cannot have 2^32 bytes");
   }
-  write_words({kMagic, 2, static_cast<std::uint32_t>(all)}, out);
-  write_words({static_cast<std::uint32_t>(text.size()), kJson}, out);
+  write_words({kGlbMagic, kGlbVersion, static_cast<std::uint32_t>(all)}, out);
+  write_words({static_cast<std::uint32_t>(text.size()), kGlbJson}, out);
   out.write(text);
   if (parts.empty()) return;
-  write_words({static_cast<std::uint32_t>(size), kBin}, out);
+  write_words({static_cast<std::uint32_t>(size), kGlbBinary}, out);
   send(parts, [&](const std::string& bytes) { out.write(bytes); });
 }
 

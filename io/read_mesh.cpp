@@ -2,6 +2,7 @@
 
 #include "io/extension.h"
 #include "io/file_content.h"
+#include "io/gltf_mesh.h"
 #include "io/io_error.h"
 #include "io/named_formats.h"
 #include "io/obj_mesh.h"
@@ -14,13 +15,15 @@
 namespace tetsculpt {
 namespace {
 
-constexpr NamedFormats<MeshSource, 6> kFormats = {{{
+constexpr NamedFormats<MeshSource, 8> kFormats = {{{
     {"ply", MeshSource::kPly},
     {"obj", MeshSource::kObj},
     {"off", MeshSource::kOff},
     {"stl", MeshSource::kStl},
     {"vtk", MeshSource::kVtk},
     {"wrl", MeshSource::kVrml},
+    {"gltf", MeshSource::kGltf},
+    {"glb", MeshSource::kGltf},
 }}};
 
 MeshSource format_of(const std::filesystem::path& path, const ReadMeshOptions& options) {
@@ -42,6 +45,8 @@ MeshFile parse(std::string_view content, const std::filesystem::path& path, Mesh
       return parse_vtk_mesh(content, path);
     case MeshSource::kVrml:
       return parse_vrml_mesh(content, path);
+    case MeshSource::kGltf:
+      return parse_gltf_mesh(content, path);
     case MeshSource::kPly:
       break;
   }

@@ -119,16 +119,25 @@ template double TextScanner::number<double>();
 
 std::optional<double> TextScanner::number_if_any() { return number_or_nothing<double>(); }
 
-std::uint64_t TextScanner::count() {
+template <typename Integer>
+Integer TextScanner::whole_number(std::string_view expected) {
   skip_separators();
   const char* const end = rest_.data() + rest_.size();
-  std::uint64_t value = 0;
+  Integer value = 0;
   const auto [after, error] = std::from_chars(rest_.data(), end, value);
   if (error != std::errc() || (after != end && kind(*after) == Kind::kOfToken)) {
-    fail_at_token("expected a count, found ");
+    fail_at_token(expected);
   }
   rest_.remove_prefix(static_cast<std::size_t>(after - rest_.data()));
   return value;
+}
+
+std::uint64_t TextScanner::count() {
+  return whole_number<std::uint64_t>("expected a count, found ");
+}
+
+std::int64_t TextScanner::integer() {
+  return whole_number<std::int64_t>("expected an integer, found ");
 }
 
 Point3 TextScanner::point() {

@@ -50,6 +50,7 @@ class TextScanner {
   Float number();  ///< float or double; throws if there is none or it is too large
   std::optional<double> number_if_any();  ///< stays if there is none; throws if it is too large
   std::uint64_t count();                  ///< decimal digits only; throws on anything else
+  std::int64_t integer();                 ///< the same, perhaps with a minus sign
   Point3 point();                         ///< three numbers
   /// Goes over separators and at most one delimiter; what it went over.
   std::string_view next_cell();
@@ -67,6 +68,8 @@ class TextScanner {
   void skip_separators();
   template <typename Float>
   std::optional<Float> number_or_nothing();
+  template <typename Integer>
+  Integer whole_number(std::string_view expected);
   [[noreturn]] void fail_at_token(std::string_view reason);
 
   std::string_view text_;

@@ -6,10 +6,12 @@
 namespace tetsculpt {
 namespace {
 
-// Divided by its largest component; zero stays zero.
+// Of a size at which squares, and those of products of two, neither overflow nor all underflow:
+// where it has another, divided by its largest component. Zero stays zero.
 Vec3<double> scaled(const Vec3<double>& v) {
+  constexpr double kLargest = 1e70;
   const double scale = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (scale == 0) return v;
+  if (scale == 0 || (scale > 1 / kLargest && scale < kLargest)) return v;
   return {v.x / scale, v.y / scale, v.z / scale};
 }
 
@@ -24,7 +26,7 @@ Vec3<double> finite_difference(const Point3& a, const Point3& b) {
 
 Vec3<double> unit(const Vec3<double>& v) {
   const Vec3<double> n = scaled(v);
-  const double length = std::hypot(n.x, n.y, n.z);
+  const double length = std::sqrt(dot(n, n));
   return length == 0 ? n : Vec3<double>{n.x / length, n.y / length, n.z / length};
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "io/column_names.h"
-#include "io/vtk_arrays.h"
+#include "io/vtk_scanner.h"
 
 namespace tetsculpt {
 namespace {
@@ -43,7 +43,7 @@ class VtkReader {
     } else if (keyword == "POINTS") {
       points();
     } else if (is_cells(keyword)) {
-      cells();
+      in_.skip_cells();
     } else if (keyword == "CELL_TYPES") {
       in_.skip({NumberType::kInt32, line.count()});
     } else if (keyword == "POINT_DATA" || keyword == "CELL_DATA") {
@@ -71,22 +71,6 @@ class VtkReader {
     if (!array.type) line.fail("points of type bit");
     file_.points = in_.points(array);
     if (array.type == NumberType::kFloat32) file_.precision = Precision::kSingle;
-  }
-
-  // Two numbers of numbers, since version 5 of those in two arrays.
-  void cells() {
-    const std::uint64_t first = in_.line().count();
-    const std::uint64_t second = in_.line().count();
-    if (!in_.next_begins_with("OFFSETS")) {
-      in_.skip({NumberType::kInt32, second});
-      return;
-    }
-    for (const std::uint64_t count : {first, second}) {
-      in_.next_line();
-      in_.line().token();  // OFFSETS, CONNECTIVITY
-      const std::optional<NumberType> type = in_.type();
-      in_.skip({type, count});
-    }
   }
 
   void begin_data(bool of_points) {
@@ -145,23 +129,13 @@ class VtkReader {
   }
 
   void fields() {
-    in_.line().token();  // the name of all
-    for (std::uint64_t left = in_.line().count(); left > 0; --left) {
-      if (!in_.next_line()) in_.line().fail("the file ends within a FIELD");
-      std::string name(in_.line().token());
-      if (name == "METADATA") {
-        in_.skip_block();
-        if (!in_.next_line()) in_.line().fail("the file ends within a FIELD");
-        name = in_.line().token();
-      }
-      const std::uint64_t components = in_.line().count();
-      const std::uint64_t tuples = in_.line().count();
-      if (of_points_ && tuples != tuples_) {
-        in_.line().fail("an array of " + std::to_string(tuples) + " values for " +
+    in_.fields([this](const std::string& name, const VtkArray& array) {
+      if (of_points_ && array.tuples != tuples_) {
+        in_.line().fail("an array of " + std::to_string(array.tuples) + " values for " +
                         std::to_string(tuples_) + " points");
       }
-      keep(name, {in_.type(), tuples, components});
-    }
+      keep(name, array);
+    });
   }
 
   void colours(const std::string& name, const VtkArray& array) {

@@ -6,22 +6,11 @@
 #include <system_error>
 
 #include "io/io_error.h"
+#include "io/line_of.h"
 #include "io/parse_number.h"
 #include "io/quoted.h"
 
 namespace tetsculpt {
-namespace {
-
-std::uint64_t line_of(std::string_view text, std::size_t offset) {
-  std::uint64_t line = 1;
-  for (std::size_t i = 0; i < offset; ++i) {
-    line += text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-  }
-  return line;
-}
-
-}  // namespace
-
 WordCursor::WordCursor(std::string_view text, const std::filesystem::path& path,
                        const WordDialect& dialect)
     : text_(text), path_(&path), comment_(dialect.comment) {
@@ -92,14 +81,6 @@ Point3 WordCursor::point() {
   const double y = number();
   const double z = number();
   return {x, y, z};
-}
-
-std::string_view WordCursor::rest_of_line() {
-  const std::size_t begin = at_;
-  const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-  at_ = std::min(end + 1, text_.size());
-  const std::string_view line = text_.substr(begin, end - begin);
-  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
 void WordCursor::fail(std::string_view reason) const {

@@ -32,13 +32,6 @@ class WordCursor {
   std::int64_t integer();
   Point3 point();  ///< three numbers
 
-  /// Takes the rest of the line, without its end (LF or CRLF).
-  std::string_view rest_of_line();
-  /// The byte after all that was taken.
-  std::size_t offset() const { return at_; }
-  std::size_t bytes_left() const { return text_.size() - at_; }
-  void go_to(std::size_t offset) { at_ = offset; }
-
   /// The line of the fault is that of the latest word.
   [[noreturn]] void fail(std::string_view reason) const;
 

@@ -57,7 +57,7 @@ TEST_CASE("each kind of fault is named and changes the status") {
   faulty(mesh, "1 triangle without area; it is number 12\n");
   faulty(testing::inverted(cube(-1, 1)), "1 component facing into the solid; it is number 0\n");
   mesh = testing::with(cube(-1, 1), cube(1, 2));
-  faulty(mesh, "1 vertex at the position of an earlier one; it is number 8\n");
+  faulty(mesh, "1 vertex at the position of an earlier one (--weld joins them); it is number 8\n");
   for (auto& t : mesh.triangles) {
     for (auto& v : t) v = v == 8 ? 7 : v;
   }

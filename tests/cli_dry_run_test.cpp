@@ -25,8 +25,9 @@ TEST_CASE("count, duplicates, invalid ones and the box") {
     CHECK(run.err.empty());
     CHECK(run.out ==
           "a.xyz: 6 points\n"
-          "  4 distinct, 1 duplicates, 1 invalid\n"
-          "  x from 0 to 1\n  y from -2.5 to 0.5\n  z from 0 to 1e+10\n");
+          "format        xyz, coordinates as 64-bit floats\n"
+          "invalid       1\nduplicates    1\nspan          a solid\n"
+          "lowest        0 -2.5 0\nhighest       1 0.5 1e+10\n");
   }
   CHECK(testing::names_in(dir) == std::vector<std::string>{"a.xyz"});
 }
@@ -36,7 +37,17 @@ TEST_CASE("a float's digits, if the file has floats") {
   dir.file("a.ply",
            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
            "property float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n");
-  CHECK(testing::run(dir, {"-n", "a.ply"}).out.ends_with("  z from 0 to 0.1\n"));
+  CHECK(testing::run(dir, {"-n", "a.ply"}).out.ends_with("highest       1 1 0.1\n"));
+}
+
+TEST_CASE("as info, but for the spacing") {
+  const TempDir dir;
+  dir.file("a.csv", "x,y,z,height\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n");
+  std::string info = testing::run(dir, {"info", "a.csv"}).out;
+  const std::size_t spacing = info.find("spacing");
+  REQUIRE(spacing != std::string::npos);
+  info.erase(spacing, info.find('\n', spacing) + 1 - spacing);
+  CHECK(testing::run(dir, {"--dry-run", "a.csv"}).out == info);
 }
 
 TEST_CASE("the statuses and messages of a whole run") {

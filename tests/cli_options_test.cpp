@@ -90,6 +90,27 @@ TEST_CASE("a typo in an extension") {
   CHECK(run.err.find("; did you mean .ply? ") != std::string::npos);
 }
 
+TEST_CASE("a typo in check or info, and in their options") {
+  const std::string check = "there is no file 'chekc'; did you mean check?";
+  check_usage({"chekc", "x"}, check);
+  check_usage({"chekc", "x.ply"}, check);
+  check_usage({"chekc", "--json", "x.ply"}, check);
+  check_usage({"inof", "x.xyz"}, "there is no file 'inof'; did you mean info?");
+  const TempDir dir;
+  const auto told = [&dir](const std::vector<std::string>& words) {
+    const std::string err = testing::run(dir, words).err;
+    return err.substr(0, err.find(" ('"));
+  };
+  CHECK(told({"check", "--wed", "x.ply"}) ==
+        "tetsculpt: unknown option '--wed'; did you mean --weld?");
+  CHECK(told({"info", "--jsn", "x.xyz"}) ==
+        "tetsculpt: unknown option '--jsn'; did you mean --json?");
+  CHECK(told({"info", "--points", "x.xyz"}) == "tetsculpt: unknown option '--points'");
+  dir.file("inof", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  CHECK(testing::run(dir, {"inof", "b.ply"}).status == 0);  // it is a file
+  CHECK(testing::run(dir, {"chek.xyz", "b.ply"}).status == 2);
+}
+
 TEST_CASE("what excludes what") {
   check_usage({"-qv", "a.xyz", "b.ply"}, "--quiet and --verbose contradict each other");
   check_usage({"-q", "--progress", "a.xyz", "b.ply"},

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <string>
 
+#include "io/base64.h"
 #include "io/read_mesh.h"
+#include "tests/support/io_gltf_bytes.h"
 #include "tests/support/io_mutations.h"
 #include "tests/support/io_ply_bytes.h"
 
@@ -75,6 +77,16 @@ TEST_CASE("vrml") {
   CHECK(survives("a.wrl",
                  "#VRML V2.0 utf8\nShape{geometry IndexedFaceSet{coord Coordinate{point[0 0 "
                  "0,1 0 0,0 1 0]}coordIndex[0 1 2 -1 2,1,0,0]ccw FALSE}}\n"));
+}
+
+TEST_CASE("gltf") {
+  CHECK(
+      survives("a.glb", testing::tetrahedron_glb(
+                            R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[1,2,-3]}])")));
+  CHECK(survives(
+      "a.gltf", testing::tetrahedron_json(testing::kTetrahedronMesh,
+                                          "data:;base64," + base64(testing::kTetrahedronPoints +
+                                                                   testing::kTetrahedronCorners))));
 }
 
 }  // namespace

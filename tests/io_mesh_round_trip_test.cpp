@@ -43,10 +43,13 @@ TEST_CASE("doubles, bit for bit") {
 
 TEST_CASE("floats, bit for bit") {
   const TriangleMesh mesh = hard_mesh(testing::points_of(testing::hard_numbers<float>()));
-  const MeshFile ply = there_and_back(mesh, "a.ply", {.precision = Precision::kSingle});
-  CHECK(testing::same_bits(ply.mesh.points, mesh.points));
-  CHECK(ply.mesh.triangles == mesh.triangles);
-  CHECK(ply.precision == Precision::kSingle);
+  for (const std::string name : {"a.ply", "a.gltf", "a.glb"}) {
+    INFO(name);
+    const MeshFile file = there_and_back(mesh, name, {.precision = Precision::kSingle});
+    CHECK(testing::same_bits(file.mesh.points, mesh.points));
+    CHECK(file.mesh.triangles == mesh.triangles);
+    CHECK(file.precision == Precision::kSingle);
+  }
 }
 
 TEST_CASE("STL gives equal corners one vertex") {
@@ -71,7 +74,9 @@ TEST_CASE("no triangles") {
     INFO(name);
     CHECK(there_and_back(none, name).mesh.points == none.points);
   }
-  CHECK(there_and_back({}, "a.stl").mesh.points.empty());
+  for (const std::string name : {"a.stl", "a.gltf", "a.glb"}) {
+    CHECK(there_and_back({}, name).mesh.points.empty());
+  }
 }
 
 TEST_CASE("an unknown extension is refused with the known ones") {

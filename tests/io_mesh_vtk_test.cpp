@@ -78,6 +78,8 @@ TEST_CASE("refusals") {
   CHECK(refusal(kAscii + kPoints + "POLYGONS 1 3\n2 0 1\n") ==
         "11: a face needs at least 3 corners, this one has 2");
   CHECK(refusal(kAscii + kPoints + "POLYGONS 1 5\n3 0 1 2\n") ==
+        "11: the file ends within an array");
+  CHECK(refusal(kAscii + kPoints + "POLYGONS 1 5\n3 0 1 2 3\n") ==
         "11: the polygons have fewer values than announced");
   CHECK(refusal(kAscii + kPoints + "POLYGONS 2 4\n3 0 1 2\n") ==
         "11: the polygons have more values than announced");
@@ -86,9 +88,16 @@ TEST_CASE("refusals") {
   CHECK(refusal(kAscii + kPoints + "POLYGONS 3 6\nOFFSETS int\n0 4 3\n") ==
         "12: offsets that do not ascend");
   CHECK(refusal(kBinary + "POINTS 4 float\n\1\2\3") ==
-        "byte " + std::to_string(kBinary.size() + 15) + ": 12 values announced, 3 bytes left");
+        "5: the file is too short for 4 times 3 numbers");
   CHECK(refusal(kAscii + "POINTS 4000000000 float\n0 0 0\n") ==
-        "5: 12000000000 values announced, 7 bytes left");
+        "5: the file is too short for 4000000000 times 3 numbers");
+  const std::string points = kBinary + "POINTS 1 char\n000\nPOLYGONS 1 4\n";
+  CHECK(refusal(points + big<std::int32_t>({3, 0, 0, 1})) ==
+        "byte " + std::to_string(points.size() + 16) + ": a face names vertex 1 of 1");
+  CHECK(refusal(kAscii + kPoints + "POLYGONS 2 3\nOFFSETS int\n0 3\n1 2 3\n") ==
+        "13: expected CONNECTIVITY");
+  CHECK(refusal(kAscii + kPoints + "POLYGONS 2 3\nOFFSETS float\n0 3\n") ==
+        "11: indices must be integers");
 }
 
 }  // namespace

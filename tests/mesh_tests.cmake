@@ -1,6 +1,9 @@
 foreach(
   name
+  io_broken_gltf_test
   io_broken_meshes_test
+  io_gltf_mesh_test
+  io_json_value_test
   io_mesh_dialects_test
   io_mesh_fuzz_test
   io_mesh_round_trip_test

@@ -87,6 +87,22 @@ def check_navigation(browser, first):
     browser.key("2")
 
 
+def check_work_per_frame(browser):
+    """What lives on the graphics processor stays there: to turn is to draw, once a layer."""
+    browser.evaluate("""(() => {
+        window.calls = {bufferData: 0, drawElements: 0, clear: 0};
+        for (const name in calls) {
+            const of = WebGLRenderingContext.prototype[name];
+            WebGLRenderingContext.prototype[name] = function (...a) { ++calls[name]; return of.apply(this, a); };
+        } })()""")
+    browser.drag(PLACE, (PLACE[0] + 90, PLACE[1] + 20))
+    browser.settle()
+    frames, draws = browser.evaluate("calls.clear"), browser.evaluate("calls.drawElements")
+    check(frames > 0 and draws == 2 * frames, "a frame draws the surface's two sides, no more")
+    check(browser.evaluate("calls.bufferData") == 0, "and sends nothing to the graphics processor")
+    browser.key("r")
+
+
 def check_touch(browser, first):
     x, y = PLACE
     touch = lambda kind, *points: browser.call(
@@ -184,6 +200,7 @@ def main(cli, points):
             first = check_picture(browser)
             check_switches(browser, first)
             check_navigation(browser, first)
+            check_work_per_frame(browser)
             check_touch(browser, first)
             check_steps(browser, first, triangles)
             check_lost_context(browser, first)

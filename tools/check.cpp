@@ -27,6 +27,9 @@ Judges the triangles of any mesh file: whether they are a closed manifold,
 oriented and facing outward (cavities: into the cavity), in how many pieces and
 of what genus, and what is wrong. All but the volumes is exact. Polygons are cut
 into fans. Triangles that cross each other are not looked for.
+Corners of STL files, and of glTF without indices, are one vertex where their
+positions are equal. Other files say themselves which vertices are shared; those
+that were split for their normals or texture leave open edges without --weld.
 
   MESH    )" +
          mesh_source_extensions() +

@@ -52,7 +52,8 @@ std::vector<Line> fault_lines(const CheckFacts& facts) {
       line("duplicate", r.duplicates, "triangle", "with the corners of an earlier one"),
       line("inverted", shape.inverted_shells, "component", "facing into the solid"),
       line("unused", r.unused_points, "vertex", "of no triangle"),
-      line("repeated", shape.repeated_points, "vertex", "at the position of an earlier one"),
+      line("repeated", shape.repeated_points, "vertex",
+           "at the position of an earlier one (--weld joins them)"),
       line("invalid", facts.invalid_points, "vertex", "with a NaN or infinite coordinate")};
   if (facts.points) {
     const CheckFacts::Points& p = *facts.points;

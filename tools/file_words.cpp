@@ -1,8 +1,10 @@
 #include "tools/file_words.h"
 
 #include <string>
+#include <vector>
 
 #include "tools/arguments.h"
+#include "tools/suggestion.h"
 
 namespace tetsculpt::cli {
 namespace {
@@ -44,7 +46,10 @@ class Parser {
     } else if (rules_.mesh_options && option.starts_with("--points=")) {
       take_points(option.substr(kPoints.size() + 1));
     } else {
-      throw UsageError("unknown option '" + std::string(option) + "'");
+      std::vector<std::string> known = {"--json", "--help"};
+      if (rules_.mesh_options) known.insert(known.end(), {"--points", "--weld"});
+      throw UsageError("unknown option '" + std::string(option) + "'" +
+                       did_you_mean(option, known));
     }
   }
 

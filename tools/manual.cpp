@@ -3,6 +3,7 @@
 
 #include "io/mesh_format.h"
 #include "io/point_format.h"
+#include "io/read_mesh.h"
 #include "tools/help.h"
 #include "tools/messages.h"
 #include "tools/options.h"
@@ -13,7 +14,7 @@ namespace tetsculpt::cli {
 namespace {
 
 /// When the text was last gone over.
-constexpr std::string_view kWritten = "2026-11-24";
+constexpr std::string_view kWritten = "2026-11-26";
 
 /// Text as troff takes it literally.
 std::string literal(std::string_view text) {
@@ -104,7 +105,7 @@ vertices are exactly these points, of any genus. It needs their positions only: 
 no parameter. What it writes depends on the set of points alone.
 .PP
 Of equal points the first is a vertex; the order of the vertices is that of the file. Numbers are
-written so that they read back bit for bit, except in STL, which holds floats.
+written so that they read back bit for bit, except in STL and glTF, which hold floats.
 .PP
 )";
 
@@ -115,7 +116,9 @@ std::string formats() {
          "extensions " +
          literal(mesh_format_extensions()) +
          ", or \\- for standard output, which needs\n.BR \\-\\-output\\-format .\n.PP\n"
-         ".B tetsculpt check\njudges a mesh;\n.B tetsculpt info\ndescribes points.\n"
+         ".I MESH\nis a file with one of the extensions " +
+         literal(mesh_source_extensions()) +
+         ".\n.B tetsculpt check\njudges it;\n.B tetsculpt info\ndescribes points.\n"
          "Options may stand anywhere;\n.B \\-\\-\nends them.\n";
 }
 

@@ -100,8 +100,8 @@ constexpr Option kOptions[] = {
      "error",
      [](Arguments& a, Words) { a.skip_invalid = true; }},
     {kInput, 'n', "dry-run", kNothing, "",
-     "read and check the points, say how many there are and where, and stop: needs no SURFACE, "
-     "writes nothing",
+     "read and check the points, say how many there are and where (as tetsculpt info does, but "
+     "for the spacing), and stop: needs no SURFACE, writes nothing",
      [](Arguments& a, Words) { a.dry_run = true; }},
 
     {kOutput, 'o', "output", kValue, "FILE", "write the surface to FILE; - is standard output",

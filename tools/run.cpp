@@ -12,7 +12,7 @@
 #include "io/read_points.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
-#include "tools/point_summary.h"
+#include "tools/point_facts.h"
 #include "tools/progress.h"
 #include "tools/report.h"
 
@@ -161,11 +161,11 @@ int reconstruct_points(const Arguments& arguments, const Input& in, RunFacts& fa
 }
 
 int describe_points(const Arguments& arguments, const Input& in, const RunFacts& facts) {
-  const PointSummary points =
-      with_points(arguments, in, [](const auto& p) { return summary_of(p); });
+  const PointFacts points = with_points(arguments, in, [&](const auto&) {
+    return point_facts(in.file, input_name(arguments), facts.skipped, Spacing::kLeftOut);
+  });
   if (!arguments.quiet) {
-    const int status =
-        print(text_of(points, input_name(arguments), facts.skipped, in.file.precision));
+    const int status = print(facts_text(points));
     if (status != kDone) return status;
   }
   if (points.span == Span::kSolid) return kDone;

@@ -1,4 +1,4 @@
-#include "io/vtk_arrays.h"
+#include "io/vtk_scanner.h"
 
 #include <array>
 #include <bit>
@@ -41,7 +41,7 @@ std::uint64_t VtkScanner::checked_numbers(const VtkArray& array) const {
   if (array.components == 0 || array.components > kMostComponents) {
     in_.fail("an array of " + std::to_string(array.components) + " components");
   }
-  const std::uint64_t left = in_.bytes_left();
+  const std::uint64_t left = in_.bytes_left() + (binary_ ? 0 : in_.rest_of_line().size());
   const std::uint64_t room = !binary_     ? left / kShortestNumber + 1
                              : array.type ? left / byte_size(*array.type)
                                           : left * 8;
@@ -125,6 +125,40 @@ std::vector<AttributeValues> VtkScanner::columns(const VtkArray& array) {
 void VtkScanner::skip_block() {
   while (in_.next_line() && !in_.at_line_end()) {
   }
+}
+
+VtkCells VtkScanner::cells() {
+  const std::uint64_t first = in_.count();
+  const std::uint64_t second = in_.count();
+  const bool has_offsets = next_begins_with("OFFSETS");
+  if (has_offsets) {
+    next_line();
+    in_.token();
+  }
+  return {first, second, has_offsets};
+}
+
+std::optional<NumberType> VtkScanner::connectivity() {
+  if (!next_line() || in_.token() != "CONNECTIVITY") in_.fail("expected CONNECTIVITY");
+  return type();
+}
+
+void VtkScanner::skip_cells() {
+  const VtkCells of = cells();
+  if (!of.has_offsets) return skip({NumberType::kInt32, of.second});
+  skip({type(), of.first});
+  const std::optional<NumberType> type = connectivity();
+  skip({type, of.second});
+}
+
+void VtkScanner::find_field_array() {
+  const auto next = [this] {
+    if (!next_line()) in_.fail("the file ends within a FIELD");
+  };
+  next();
+  if (!in_.accept("METADATA")) return;
+  skip_block();
+  next();
 }
 
 }  // namespace tetsculpt
