@@ -27,6 +27,7 @@
 #include <cassert>
 #include <cfloat>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "kernel/perturbation.h"
@@ -82,6 +83,7 @@ Facets::Facets(std::span<const Point3> sites, double unit)
     : sites_(sites),
       reach_(reach_of(sites)),
       per_reach_(1 / reach_),
+      per_unit_(1 / unit),
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit),
       facets_(kExpectedPerSite * sites.size() + kBlock) {}
@@ -171,8 +173,14 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
     const double height = value(normal(d[0], d[1], d[2]), d[3]);
     if (height != 0) return height > 0;
   }
-  const auto inside = exact ? perturbed_inside : in_perturbed_sphere;
-  return inside(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
+  const auto judged_by = [&](auto&& judge) {
+    return judge(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
+  };
+  if (exact) return judged_by(perturbed_inside);
+  const std::optional<Sign> side =
+      judged_by([&](const auto&... points) { return insphere_in_units(points..., per_unit_); });
+  if (!side) return judged_by(in_perturbed_sphere);
+  return *side != Sign::kZero ? *side == Sign::kPositive : judged_by(perturbed_inside);
 }
 
 /// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite

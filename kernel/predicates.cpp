@@ -15,6 +15,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/expansion.h"
@@ -112,12 +113,19 @@ struct Orient3d {
   }
 };
 
-/// The 4 x 4 determinant of the lifted differences, by 2 x 2 minors in x and y.
+/// The 4 x 4 determinant of the lifted differences, by 2 x 2 minors in x and y; the larger minors
+/// and the determinant may be of a wider type.
 struct Insphere {
   static constexpr int kRoundings = 16;
   static constexpr int kDegree = 5;
-  template <class T>
-  static T value(const Differences<T, 4>& d) {
+  template <class T, class Wide = T>
+  static Wide value(const Differences<T, 4>& d) {
+    const auto wide = [](const T& x) -> decltype(auto) {
+      if constexpr (std::is_same_v<T, Wide>)
+        return (x);
+      else
+        return Wide{x};
+    };
     const auto& [a, b, c, e] = d;
     const T ab = a.x * b.y - b.x * a.y;
     const T bc = b.x * c.y - c.x * b.y;
@@ -125,10 +133,10 @@ struct Insphere {
     const T ea = e.x * a.y - a.x * e.y;
     const T ac = a.x * c.y - c.x * a.y;
     const T be = b.x * e.y - e.x * b.y;
-    const T abc = a.z * bc - b.z * ac + c.z * ab;
-    const T bce = b.z * ce - c.z * be + e.z * bc;
-    const T cea = c.z * ea + e.z * ac + a.z * ce;
-    const T eab = e.z * ab + a.z * be + b.z * ea;
+    const Wide abc = wide(a.z) * bc - wide(b.z) * ac + wide(c.z) * ab;
+    const Wide bce = wide(b.z) * ce - wide(c.z) * be + wide(e.z) * bc;
+    const Wide cea = wide(c.z) * ea + wide(e.z) * ac + wide(a.z) * ce;
+    const Wide eab = wide(e.z) * ab + wide(a.z) * be + wide(b.z) * ea;
     return (dot(e, e) * abc - dot(c, c) * eab) + (dot(b, b) * cea - dot(a, a) * bce);
   }
   static double permanent(const Differences<double, 4>& d) {
@@ -201,6 +209,26 @@ Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d
 
 Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
   return decide<Insphere, 4>({&a, &b, &c, &d}, e);
+}
+
+std::optional<Sign> insphere_in_units(const Point3& a, const Point3& b, const Point3& c,
+                                      const Point3& d, const Point3& e, double per_unit) {
+  // Lifts and minors of differences below 2^23 fit in 64 bits, the determinant in 122.
+  constexpr double kMost = 1 << most_bits(Insphere::kDegree);
+  static_assert(kMost <= 1 << 23);
+  Differences<std::int64_t, 4> integers;
+  const std::array<const Point3*, 4> points{&a, &b, &c, &d};
+  bool small = true;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3<double> units = rounded_difference(*points[i], e) * per_unit;
+    const Vec3<double> size = abs(units);
+    small = small && size.x < kMost && size.y < kMost && size.z < kMost;
+    if (!small) return std::nullopt;
+    integers[i] = {static_cast<std::int64_t>(units.x), static_cast<std::int64_t>(units.y),
+                   static_cast<std::int64_t>(units.z)};
+  }
+  const Int128 value = Insphere::value<std::int64_t, Int128>(integers);
+  return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
 }
 
 Sign in_diametral_sphere(const Point3& a, const Point3& b, const Point3& p) {
