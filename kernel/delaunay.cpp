@@ -9,7 +9,7 @@ namespace tetsculpt {
 namespace {
 
 /// Of the work; the rest finds triangles and edges.
-constexpr double kHullShare = 0.85;
+constexpr double kHullShare = 0.8;
 
 }  // namespace
 
@@ -19,8 +19,8 @@ TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options
   if (options.progress) progress = [&](double in) { options.progress(kHullShare * in); };
   LiftedHull hull = lifted_hull(points.points, {.threads = options.threads, .progress = progress});
   if (hull.tets.empty()) return {};
-  if (progress) progress(1);
-  return TetComplex(std::move(hull), points.points.size());
+  if (progress) progress = [&](double in) { options.progress(kHullShare + (1 - kHullShare) * in); };
+  return TetComplex(std::move(hull), points.points.size(), progress);
 }
 
 }  // namespace tetsculpt

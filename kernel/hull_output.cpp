@@ -65,15 +65,22 @@ class Output {
     for (const FacetIndex f : free) facets_[f].corners[0] = kNone;
   }
 
-  LiftedHull run() {
+  LiftedHull run(const std::function<void(double)>& progress) {
+    const auto told = [&](double share) {
+      if (progress) progress(share);
+    };
     LiftedHull hull;
     count_buckets();
+    told(0.1);
     hull.finite_count = first_[first_.size() / 2];
     hull.tets.resize(count_);
     scatter(hull.tets);
+    told(0.4);
     sort_buckets(hull.tets);
+    told(0.6);
     hull.neighbors.resize(count_);
     write_neighbors(hull.neighbors);
+    told(1);
     return hull;
   }
 
@@ -180,8 +187,9 @@ class Output {
 }  // namespace
 
 LiftedHull output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free,
-                  std::size_t site_count, int threads) {
-  return Output(std::move(facets), free, site_count, threads).run();
+                  std::size_t site_count, int threads,
+                  const std::function<void(double)>& progress) {
+  return Output(std::move(facets), free, site_count, threads).run(progress);
 }
 
 }  // namespace tetsculpt::hull

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "kernel/hull_facets.h"
@@ -12,8 +13,9 @@ namespace tetsculpt::hull {
 
 /// The facets that live, which are all but the free ones, as tetrahedra in canonical order: finite
 /// ones first, then by their corners in ascending order. Neighbours in space are then neighbours in
-/// memory, and it does not matter how the hull was made. Cost: three passes over the facets.
+/// memory, and it does not matter how the hull was made. `progress` is told a share from 0 to 1
+/// after each pass. Cost: four passes over the facets.
 LiftedHull output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free,
-                  std::size_t site_count, int threads = 1);
+                  std::size_t site_count, int threads, const std::function<void(double)>& progress);
 
 }  // namespace tetsculpt::hull

@@ -143,17 +143,25 @@ class Construction {
 
   LiftedHull result() {
     report(0);  // all are in: the rounds' sizes are in done_
-    return hull::output(facets_.take_links(), inserter_.free(), points_.size(), options_.threads);
+    std::function<void(double)> progress;
+    if (options_.progress) {
+      progress = [&](double share) { options_.progress(kInserting + (1 - kInserting) * share); };
+    }
+    return hull::output(facets_.take_links(), inserter_.free(), points_.size(), options_.threads,
+                        progress);
   }
 
  private:
+  /// Of the work; the rest is output.
+  static constexpr double kInserting = 0.85;
   /// Rounds of fewer points per thread are one thread's.
   static constexpr std::size_t kWorthAThread = 8192;
 
   /// Tells how many points of the round are in. May throw, see LiftedHullOptions.
   void report(std::size_t in_round) const {
     if (!options_.progress) return;
-    options_.progress(static_cast<double>(done_ + in_round) / static_cast<double>(points_.size()));
+    options_.progress(kInserting * static_cast<double>(done_ + in_round) /
+                      static_cast<double>(points_.size()));
   }
 
   /// Calls told(k) now and then, with the number of sites that are in.

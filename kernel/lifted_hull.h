@@ -31,7 +31,7 @@ struct LiftedHull {
 
 struct LiftedHullOptions {
   int threads = 1;  ///< at most so many; the result does not depend on it
-  /// Told now and then, on the caller's thread, which share of the points is in, from 0 to 1. May
+  /// Told now and then, on the caller's thread, which share of the work is done, from 0 to 1. May
   /// throw: that cancels, and the exception passes through.
   std::function<void(double)> progress = {};
 };

@@ -24,7 +24,8 @@ std::string name(TetId t) { return "tetrahedron " + std::to_string(+t); }
 
 }  // namespace
 
-TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count)
+TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count,
+                       const std::function<void(double)>& progress)
     : finite_count_(hull.finite_count),
       tets_(std::move(hull.tets)),
       neighbors_(std::move(hull.neighbors)),
@@ -33,7 +34,7 @@ TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count)
     for (const VertexId v : tets_[t]) tet_of_vertex_[+v] = TetId{static_cast<std::uint32_t>(t)};
   }
   find_triangles();
-  find_edges();
+  find_edges(progress);
 }
 
 void TetComplex::find_triangles() {
@@ -49,11 +50,17 @@ void TetComplex::find_triangles() {
   }
 }
 
-void TetComplex::find_edges() {
+void TetComplex::find_edges(const std::function<void(double)>& progress) {
+  constexpr std::uint32_t kTellEvery = 1u << 19;
+  constexpr double kBefore = 0.2;  // of the constructor's work
   const EdgeRings rings(tets_, neighbors_);
   edges_of_tet_.assign(tets_.size(), {kNoEdge, kNoEdge, kNoEdge, kNoEdge, kNoEdge, kNoEdge});
   edges_.reserve(tets_.size() + tets_.size() / 4);
   for (std::uint32_t t = 0; t < finite_count_; ++t) {
+    if (progress && t % kTellEvery == 0) {
+      progress(kBefore +
+               (1 - kBefore) * static_cast<double>(t) / static_cast<double>(finite_count_));
+    }
     const bool odd = is_odd(tets_[t]);
     for (std::size_t k = 0; k < 6; ++k) {
       const std::size_t ranked = odd ? kOddEdges[k] : k;

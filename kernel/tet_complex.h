@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,9 +48,11 @@ class TetComplex {
   /// No simplex at all.
   TetComplex() = default;
   /// Takes the tetrahedra of a hull over `vertex_count` points, their corners in the order that
-  /// LiftedHull promises, and finds its triangles and edges.
+  /// LiftedHull promises, and finds its triangles and edges. `progress` is told now and then which
+  /// share of that is done, from 0 to 1, and may throw.
   /// Cost: linear; 8 to 10 words per tetrahedron.
-  TetComplex(LiftedHull hull, std::size_t vertex_count);
+  TetComplex(LiftedHull hull, std::size_t vertex_count,
+             const std::function<void(double)>& progress = {});
 
   std::size_t vertex_count() const { return tet_of_vertex_.size(); }
   std::size_t edge_count() const { return edges_.size(); }
@@ -110,7 +113,7 @@ class TetComplex {
     TriangleId triangle;
   };
   void find_triangles();
-  void find_edges();
+  void find_edges(const std::function<void(double)>& progress);
 
   std::size_t finite_count_ = 0;
   LargeArray<std::array<VertexId, 4>> tets_;
