@@ -4,6 +4,7 @@ const kFieldOfView = (30 * Math.PI) / 180; // of the smaller side of the window
 const kMargin = 1.1; // the window's share of the scene at first
 const kNearestEye = 0.02; // in radii of the scene, as the next
 const kFarthestEye = 60;
+const kReach = 1.02; // how far around its middle the scene is shown
 
 class Camera {
   /** The scene lies in the ball of this radius around the origin. */
@@ -64,10 +65,15 @@ class Camera {
     return rigidMatrix(this.rotation, [...this.pan, -this.distance]);
   }
 
+  /** Whether the whole scene lies before the eye and beyond what is cut off near it. */
+  isOutside() {
+    return this.distance > kReach * this.radius;
+  }
+
   projection() {
     const scale = [(2 * this.focalLength()) / this.width, (2 * this.focalLength()) / this.height];
     // The plane through the middle stays at this distance, wherever the scene is moved in it.
-    const reach = 1.02 * this.radius;
+    const reach = kReach * this.radius;
     const near = Math.max(this.distance - reach, 0.02 * this.distance);
     return perspectiveMatrix(scale, near, this.distance + reach);
   }

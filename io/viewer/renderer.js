@@ -114,8 +114,10 @@ class Renderer {
     gl.uniform3fv(at.back, rgb(kColours.inside));
     gl.uniform1f(at.smoothness, smooth ? 1 : 0);
     // The inside gives way to the outside, which it meets at silhouettes and where tetrahedra are flat.
+    // From outside a closed surface nothing is seen of it.
+    const sides = [[gl.BACK, 2], [gl.FRONT, 12]].slice(0, this.camera.isOutside() ? 1 : 2);
     gl.enable(gl.CULL_FACE);
-    for (const [culled, offset] of [[gl.BACK, 2], [gl.FRONT, 12]]) {
+    for (const [culled, offset] of sides) {
       gl.cullFace(culled);
       gl.polygonOffset(offset, offset);
       this.drawElements(gl.TRIANGLES, this.triangles, 3 * this.surface.count);
