@@ -14,10 +14,12 @@
 // What it brought, hull alone: one cache line per facet, hyperplane, corners and neighbours
 // together, instead of five 15 %; stacks without checks 7 %; rounds of
 // seven times all before instead of once 25 % (a round streams all facets through the cache);
-// batches of 16 instead of whole rounds 25 %; a front whose facets are fetched ahead 6 %; large
-// pages half (page faults and TLB misses). Without gain: -march=native; numbering the horizon and
-// making the cone in two loops or in one; corners numbered by a hash table in the nearest cache
-// instead of an array over all sites; heights computed a few facets ahead of the decision.
+// batches of 16 instead of whole rounds 25 %; a front whose facets are fetched ahead 6 %; a
+// search that counts in registers and pushes without a branch 7 %; no SLP vectorizer (see
+// cmake/targets.cmake) 14 %; large pages half (page faults and TLB misses). Without gain:
+// -march=native; numbering the horizon and making the cone in two loops or in one; corners numbered
+// by a hash table in the nearest cache instead of an array over all sites; heights computed a few
+// facets ahead of the decision.
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
 // thread inserts one; what would touch another's facets waits until all are done: 8 % of the points
