@@ -15,14 +15,13 @@
 #include "sculpt/boundary.h"
 #include "sculpt/evidence.h"
 #include "tests/support/point_sets.h"
-#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_stages.h"
 
 namespace tetsculpt {
 namespace {
 
 constexpr double kShares[] = {0.01, 0.05, 0.2, 0.5, 0.8, 0.95};
-constexpr std::size_t kEnough = testing::random_cases(std::size_t{200'000});
+constexpr std::size_t kEnough = 200'000;
 
 /// A complex with any energy at all: of either sign, and in part without a difference.
 struct Scene {

@@ -2,9 +2,9 @@
 
 namespace tetsculpt::testing {
 
-/// How many random cases a test tries, or steps of a search: all that are `asked` for, a tenth of
-/// them under the sanitizers. Those slow every case tenfold, and what they look for is on the paths
-/// taken, not in rare values.
+/// How many random cases a test tries: all that are `asked` for, a tenth of them under the
+/// sanitizers. Those slow every case tenfold, and what they look for is on the paths taken, not in
+/// rare values.
 template <typename Count>
 constexpr Count random_cases(Count asked) {
 #if defined(__SANITIZE_ADDRESS__)
