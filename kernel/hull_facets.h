@@ -143,9 +143,9 @@ class Facets {
   std::span<const Point3> sites_;
   bool shared_ = false;
   std::mutex growing_;
-  double reach_;      ///< as large as the set, a power of two
-  double per_reach_;  ///< 1 / reach_
-  double per_unit_;
+  double reach_;                 ///< as large as the set, a power of two
+  double per_reach_;             ///< 1 / reach_
+  double per_unit_;              ///< 1 / unit
   double exact_below_;           ///< bound on an error of a finite facet below which there is none
   double exact_below_infinite_;  ///< the same for an infinite facet
   std::size_t size_ = 0;

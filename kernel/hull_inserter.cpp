@@ -101,6 +101,15 @@ Inserter::Slot Inserter::pick_apex(FacetIndex f) const {
   return apex;
 }
 
+/// The apex takes the place of the corner opposite; a double exchange, which keeps the orientation,
+/// puts it first.
+inline Inserter::HorizonRidge Inserter::horizon_ridge(const FrontRidge& ridge) const {
+  static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
+  const auto& c = facets_.corners(facet_of(ridge.inner));
+  const auto& others = kOthers[corner_of(ridge.inner)];
+  return {{c[others[0]], c[others[1]], c[others[2]]}, ridge.outer};
+}
+
 /// Grows the visible region from a facet that the apex sees; what it is cut off by is the horizon.
 /// False if the region leaves the range. What the loops count and write to stays in registers.
 bool Inserter::find_horizon(Site apex, FacetIndex seen) {
@@ -108,8 +117,8 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   const std::uint32_t is_visible = stamp_;
   const std::uint32_t is_hidden = stamp_ + 1;
   const Point3 q = points_[apex];
-  std::size_t room = search_room_;
-  FrontRidge* front = front_.room_for(room);
+  std::size_t room = front_.size();
+  FrontRidge* front = front_.data();
   FacetIndex* visible = visible_.room_for(room);
   HorizonRidge* horizon = horizon_.room_for(room);
   std::size_t front_size = 0;
@@ -120,8 +129,9 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   std::size_t k = 0;
   for (;;) {
     if (room < front_size + 4) {
-      room = search_room_ = 2 * (front_size + 4);
-      front = front_.room_for(room);
+      room = 2 * (front_size + 4);
+      front_.resize(room);
+      front = front_.data();
       visible = visible_.room_for(room);
       horizon = horizon_.room_for(room);
     }
@@ -157,12 +167,7 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
         }
         mark = is_hidden;
       }
-      // The apex takes the place of the corner opposite; a double exchange, which keeps the
-      // orientation, puts it first.
-      static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
-      const auto& c = facets_.corners(facet_of(inner));
-      const auto& others = kOthers[corner_of(inner)];
-      horizon[horizon_size++] = {{c[others[0]], c[others[1]], c[others[2]]}, outer};
+      horizon[horizon_size++] = horizon_ridge({inner, outer});
     }
   }
 }

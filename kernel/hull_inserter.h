@@ -80,6 +80,11 @@ class Inserter {
     FacetIndex facet = kNone;  ///< kNone once the point is in
     double height = 0;         ///< above that facet's hyperplane, up to rounding
   };
+  /// A ridge of a visible facet that is still to be crossed.
+  struct FrontRidge {
+    Ridge inner;  ///< seen from a visible facet
+    Ridge outer;  ///< the same, seen from the other side
+  };
   /// A ridge between a visible facet and one that is not, as the cone's new facet will hold it.
   struct HorizonRidge {
     std::array<Site, 3> corners;  ///< with the apex first, these make a positively oriented facet
@@ -91,6 +96,7 @@ class Inserter {
   // The four steps of Quickhull.
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
+  HorizonRidge horizon_ridge(const FrontRidge& ridge) const;
   void make_cone(Site apex);
   void reassign_conflicts();
 
@@ -114,12 +120,7 @@ class Inserter {
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};
   // Of the insertion under way:
-  std::size_t search_room_ = 0;  ///< of the three that follow
-  struct FrontRidge {
-    Ridge inner;  ///< seen from a visible facet
-    Ridge outer;  ///< the same, seen from the other side
-  };
-  Stack<FrontRidge> front_;
+  std::vector<FrontRidge> front_;  ///< room, as much as the next two have
   Stack<FacetIndex> visible_;
   Stack<HorizonRidge> horizon_;
   Stack<Slot> orphans_;

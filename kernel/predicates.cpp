@@ -96,7 +96,7 @@ Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
 
   if (const auto integers = integer_differences(points, origin, most_bits(Polynomial::kDegree))) {
     const Int128 exact = Polynomial::value(*integers);
-    return exact > 0 ? Sign::kPositive : exact < 0 ? Sign::kNegative : Sign::kZero;
+    return sign_of(exact);
   }
   return decide_by_expansions<Polynomial>(points, origin, rounded, permanent);
 }
@@ -218,17 +218,14 @@ std::optional<Sign> insphere_in_units(const Point3& a, const Point3& b, const Po
   static_assert(kMost <= 1 << 23);
   Differences<std::int64_t, 4> integers;
   const std::array<const Point3*, 4> points{&a, &b, &c, &d};
-  bool small = true;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double> units = rounded_difference(*points[i], e) * per_unit;
     const Vec3<double> size = abs(units);
-    small = small && size.x < kMost && size.y < kMost && size.z < kMost;
-    if (!small) return std::nullopt;
+    if (!(size.x < kMost && size.y < kMost && size.z < kMost)) return std::nullopt;
     integers[i] = {static_cast<std::int64_t>(units.x), static_cast<std::int64_t>(units.y),
                    static_cast<std::int64_t>(units.z)};
   }
-  const Int128 value = Insphere::value<std::int64_t, Int128>(integers);
-  return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
+  return sign_of(Insphere::value<std::int64_t, Int128>(integers));
 }
 
 Sign in_diametral_sphere(const Point3& a, const Point3& b, const Point3& p) {

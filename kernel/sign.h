@@ -5,7 +5,8 @@ namespace tetsculpt {
 
 enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };
 
-constexpr Sign sign_of(double x) {
+template <class Number>
+constexpr Sign sign_of(const Number& x) {
   return x > 0 ? Sign::kPositive : x < 0 ? Sign::kNegative : Sign::kZero;
 }
 

@@ -74,7 +74,7 @@ Vec circumcentre(const SortedTet& tet) {
 
 Priority::Priority(Criterion criterion, std::span<const Point3> points, const TetComplex& complex)
     : criterion_(criterion), points_(points), complex_(&complex) {
-  if (criterion == Criterion::kMinimalArea || criterion == Criterion::kGamma) return;
+  if (!is_by_rank(criterion)) return;
   rank_of_edge_.resize(complex.edge_count());
   std::uint32_t rank = 0;
   for (const EdgeId e : edges_by_length(points, complex, Flags(complex.edge_count(), 1))) {

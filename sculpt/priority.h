@@ -18,6 +18,11 @@ enum class Criterion {
   kConstrained,  ///< longest boundary edge first, held back by EMST and EGH: the paper's own
 };
 
+/// Are keys ranks of edges, negative?
+constexpr bool is_by_rank(Criterion criterion) {
+  return criterion == Criterion::kLongestEdge || criterion == Criterion::kConstrained;
+}
+
 /// Gives tetrahedra their place in the heap: the smallest key goes first. Keys depend on nothing
 /// but the points: the longest edge is compared exactly, by its rank in kernel/edge_order; areas
 /// and gamma-indicators are doubles computed from vertices in lexicographic order.

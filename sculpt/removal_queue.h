@@ -25,6 +25,7 @@ inline constexpr double kBehindAll = 0x1p40;
 /// For any keys.
 class KeyQueue {
  public:
+  /// Made as a RankQueue is.
   KeyQueue(const TetComplex& complex, std::size_t) : heap_(Later{&complex}) {}
 
   bool empty() const { return heap_.empty(); }
@@ -61,7 +62,7 @@ class RankQueue {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// 64^5 lists: more than edges can have ids, twice.
+  /// 64^6 lists: more than twice as many as edges can have ids.
   static constexpr std::size_t kLevels = 6;
   struct Item {
     TetId tet;

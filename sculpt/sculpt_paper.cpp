@@ -1,8 +1,8 @@
 // Sculpting after M. Attene, M. Spagnuolo, "Automatic surface reconstruction from point sets in
 // space", Computer Graphics Forum 19(3), 2000, section 3. Where the paper leaves a choice:
-//  - Step 1 runs until the heap is empty. The paper stops it once all vertices are on the boundary;
-//  that
-//    leaves concavities filled (a sampled cube of 2000 points: 53 false handles afterwards).
+//  - Step 1 runs until the queue is empty. The paper stops it once all vertices are on the
+//    boundary; that leaves concavities filled (a sampled cube of 2000 points: 53 false handles
+//    afterwards).
 //  - Step 2, vertices still hidden, lifts the EGH constraint first and takes tetrahedra with one
 //    boundary face first, longest edge first: each of them exposes a vertex. Only if that does not
 //    suffice, the EMST constraint is lifted too. Then step 1 runs once more.
@@ -113,7 +113,7 @@ Sculpture PaperSculptor<Queue>::run() {
   return std::move(out_);
 }
 
-/// Removes what the step allows, in the order of its heap, until nothing is left or it is done.
+/// Removes what the step allows, in the order of its queue, until nothing is left or it is done.
 template <class Queue>
 void PaperSculptor<Queue>::run_step(Step step) {
   queue_.clear();
@@ -299,8 +299,7 @@ bool PaperSculptor<Queue>::before(const PrismEntry& a, const PrismEntry& b) cons
 
 Sculpture sculpt_paper(std::span<const Point3> points, const TetComplex& complex,
                        const Constraints& constraints, const PaperOptions& options) {
-  if (options.criterion == Criterion::kConstrained ||
-      options.criterion == Criterion::kLongestEdge) {
+  if (is_by_rank(options.criterion)) {
     return PaperSculptor<RankQueue>(points, complex, constraints, options).run();
   }
   return PaperSculptor<KeyQueue>(points, complex, constraints, options).run();
