@@ -44,14 +44,29 @@ struct Spoke {
   double length;
 };
 
-/// Bounds for a facet's heights, two numbers rounded up to the upper half of a float each.
+/// Bounds the errors of a facet's heights: two numbers, rounded up to the upper half of a float
+/// each. The offset is in units of kOffsetUnit: none is so small that processors need long for it.
 class ErrorFactors {
  public:
   ErrorFactors() = default;
-  ErrorFactors(double factor, double extent)
-      : bits_(rounded_up(factor) | rounded_up(extent) >> 16) {}
-  double factor() const { return static_cast<double>(std::bit_cast<float>(bits_ & 0xffff0000u)); }
-  double extent() const { return static_cast<double>(std::bit_cast<float>(bits_ << 16)); }
+  ErrorFactors(double slope, double offset) : bits_(rounded_up(slope) | rounded_up(offset) >> 16) {}
+  /// Of heights that are linear: slope zero, which none else has.
+  static ErrorFactors linear(double offset) { return of_bits(rounded_up(offset) >> 16); }
+  static ErrorFactors of_bits(std::uint32_t bits) {
+    ErrorFactors result;
+    result.bits_ = bits;
+    return result;
+  }
+  std::uint32_t bits() const { return bits_; }
+  double slope() const { return static_cast<double>(std::bit_cast<float>(bits_ & 0xffff0000u)); }
+  double offset() const { return static_cast<double>(std::bit_cast<float>(bits_ << 16)); }
+  bool is_linear() const { return bits_ <= 0xffffu; }
+
+  static constexpr double kOffsetUnit = 0x1p-64;
+  // See hull_facets.cpp.
+  static constexpr double kSlope = 41 * 0x1p-53;
+  static constexpr double kOffset = 17.5 * 0x1p-53 / kOffsetUnit;
+  static constexpr double kLinearOffset = 144 * 0x1p-53 / kOffsetUnit;
 
  private:
   /// Always more than the value; what is too large for a float becomes infinite or no number.
@@ -73,7 +88,7 @@ struct FacetLinks {
 ///     nx dx + ny dy + nz dz - |d|^2,
 /// the negative power of q (an infinite facet, which is a half-space: without |d|^2), positive if
 /// the facet is visible from q. It is off by at most
-///     factor (extent (|dx| + |dy| + |dz|) + |d|^2),   extent in units of the size of the set.
+///     slope |d|^2 + offset,   the offset in units of the square of the size of the set.
 /// All an insertion reads or writes of a facet is this: one cache line.
 struct alignas(64) Facet {
   double nx, ny, nz;
@@ -106,6 +121,7 @@ class Facets {
   void share() { shared_ = true; }
   void unshare() { shared_ = false; }
 
+  const Facet& operator[](FacetIndex f) const { return facets_[f]; }
   std::array<Site, 4>& corners(FacetIndex f) { return facets_[f].links.corners; }
   const std::array<Site, 4>& corners(FacetIndex f) const { return facets_[f].links.corners; }
   std::array<Ridge, 4>& neighbors(FacetIndex f) { return facets_[f].links.neighbors; }
@@ -120,6 +136,16 @@ class Facets {
   void set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c);
   /// Computes the differences, too.
   void set_hyperplane(FacetIndex f);
+  void set_hyperplane(FacetIndex f, double nx, double ny, double nz, ErrorFactors error) {
+    Facet& n = facets_[f];
+    n.nx = nx;
+    n.ny = ny;
+    n.nz = nz;
+    n.error = error;
+  }
+  double per_reach() const { return per_reach_; }
+  /// In which the facets' ErrorFactors are to be taken.
+  double offset_unit() const { return offset_unit_; }
 
   void prefetch(FacetIndex f) const { __builtin_prefetch(&facets_[f]); }
 
@@ -134,9 +160,10 @@ class Facets {
   bool visible(FacetIndex f, Site q, Height h) const {
     return h.value > h.error || (!(h.value < -h.error) && decide(f, q));
   }
+  /// The same where the height is not clear.
+  bool decide(FacetIndex f, Site q) const;
 
  private:
-  bool decide(FacetIndex f, Site q) const;
   bool finite_visible(FacetIndex f, Site q) const;
   bool coplanar_visible(FacetIndex f, Site q) const;
 
@@ -145,6 +172,7 @@ class Facets {
   std::mutex growing_;
   double reach_;                 ///< as large as the set, a power of two
   double per_reach_;             ///< 1 / reach_
+  double offset_unit_;           ///< that of the facets' ErrorFactors
   double per_unit_;              ///< 1 / unit
   double exact_below_;           ///< bound on an error of a finite facet below which there is none
   double exact_below_infinite_;  ///< the same for an infinite facet
@@ -172,9 +200,9 @@ inline Spoke spoke(const Point3& q, const Point3& p) {
 inline Facets::Height Facets::height(FacetIndex f, const Point3& q) const {
   const Facet& n = facets_[f];
   const LiftedDifference d = lifted_difference(q, sites_[n.links.corners[0]]);
-  const double w = n.links.infinite() ? 0 : d.w;
+  const double w = n.error.is_linear() ? 0 : d.w;
   return {n.nx * d.x + n.ny * d.y + n.nz * d.z - w,
-          n.error.factor() * (n.error.extent() * (l1_norm(d) * reach_) + w)};
+          n.error.slope() * w + n.error.offset() * offset_unit_};
 }
 
 }  // namespace tetsculpt::hull

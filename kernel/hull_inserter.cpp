@@ -19,16 +19,18 @@ constexpr std::size_t kLargeCone = 256;
 
 }  // namespace
 
-Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free)
+Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
+                   bool by_four)
     : points_(points),
       facets_(facets),
+      by_four_(by_four),
       free_(std::move(free)),
       number_of_(points.size() + 1, Number{0, 0}),
       half_ridge_(kLargeCone * kLargeCone) {}
 
 Inserter Inserter::helper(SiteRange own) {
   for (const FacetIndex f : free_) facets_.corners(f)[0] = kNone;
-  Inserter helper(points_, facets_, std::exchange(free_, {}));
+  Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_);
   helper.own_ = own;
   helper.stamp_ = stamp_;
   // Begin at the end of the range's stretch of the curve where the points will.
@@ -103,72 +105,78 @@ Inserter::Slot Inserter::pick_apex(FacetIndex f) const {
 
 /// The apex takes the place of the corner opposite; a double exchange, which keeps the orientation,
 /// puts it first.
-inline Inserter::HorizonRidge Inserter::horizon_ridge(const FrontRidge& ridge) const {
+inline Inserter::HorizonRidge Inserter::horizon_ridge(const CutRidge& ridge) const {
   static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
   const auto& c = facets_.corners(facet_of(ridge.inner));
   const auto& others = kOthers[corner_of(ridge.inner)];
   return {{c[others[0]], c[others[1]], c[others[2]]}, ridge.outer};
 }
 
-/// Grows the visible region from a facet that the apex sees; what it is cut off by is the horizon.
-/// False if the region leaves the range. What the loops count and write to stays in registers.
+/// Grows the visible region from a facet that the apex sees, in waves; what it is cut off by is the
+/// horizon. False if the region leaves the range. Which neighbours are visible comes without order:
+/// no branch depends on it.
 bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   stamp_ += 2;
   const std::uint32_t is_visible = stamp_;
   const std::uint32_t is_hidden = stamp_ + 1;
-  const Point3 q = points_[apex];
-  std::size_t room = front_.size();
-  FrontRidge* front = front_.data();
-  FacetIndex* visible = visible_.room_for(room);
-  HorizonRidge* horizon = horizon_.room_for(room);
-  std::size_t front_size = 0;
-  std::size_t visible_size = 0;
-  std::size_t horizon_size = 0;
-  FacetIndex f = seen;
-  Ridge through = kNone;
-  std::size_t k = 0;
-  for (;;) {
-    if (room < front_size + 4) {
-      room = 2 * (front_size + 4);
-      front_.resize(room);
-      front = front_.data();
-      visible = visible_.room_for(room);
-      horizon = horizon_.room_for(room);
-    }
-    // f is visible. Its ridges, but for the one it was entered through, come to the front: the
-    // facets behind are on their way to the cache when their turn comes. Which ridge that is comes
-    // without order: no branch depends on it.
-    facets_.mark(f) = is_visible;
-    visible[visible_size++] = f;
-    const auto& neighbors = facets_.neighbors(f);
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      facets_.prefetch(facet_of(neighbors[i]));
-      front[front_size] = {ridge(f, i), neighbors[i]};
-      front_size += ridge(f, i) != through;
-    }
-    // On to the next visible facet.
-    for (;; ++k) {
-      if (k == front_size) {
-        visible_.hold(visible_size);
-        horizon_.hold(horizon_size);
-        return true;
+  visible_.room_for(1)[0] = seen;
+  facets_.mark(seen) = is_visible;
+  std::size_t visible_size = 1;
+  std::size_t cut_size = 0;
+  for (std::size_t begin = 0; begin < visible_size;) {
+    const std::size_t end = visible_size;
+    FacetIndex* const visible = visible_.room_for(5 * end + 1);
+    Seen* const sees = sees_.room_for(end);
+    CutRidge* const cut = cut_.room_for(cut_size + 4 * (end - begin) + 1);
+    if (!see_wave(apex, {visible + begin, visible + end}, sees + begin)) return false;
+    for (; begin < end; ++begin) {
+      const FacetIndex f = visible[begin];
+      const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
+      if (sees[begin].unclear != 0) [[unlikely]]
+        decide(apex, f, sees[begin]);
+      const std::uint32_t bits = sees[begin].neighbors;
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const FacetIndex g = facet_of(neighbors[i]);
+        const std::uint32_t sees_it = bits >> i & 1;
+        const std::uint32_t before = facets_.mark(g);
+        const bool is_new = before < is_visible;
+        const std::uint32_t now = is_new ? is_hidden - sees_it : before;
+        facets_.mark(g) = now;
+        visible[visible_size] = g;
+        visible_size += is_new & sees_it;
+        cut[cut_size] = {ridge(f, i), neighbors[i]};
+        cut_size += now - is_visible;
       }
-      const auto [inner, outer] = front[k];
-      const FacetIndex g = facet_of(outer);
-      std::uint32_t& mark = facets_.mark(g);
-      if (mark == is_visible) continue;
-      if (mark != is_hidden) {
-        if (facets_.visible(g, apex, facets_.height(g, q))) {
-          if (!own(g)) return false;
-          f = g;
-          through = outer;
-          ++k;
-          break;
-        }
-        mark = is_hidden;
-      }
-      horizon[horizon_size++] = horizon_ridge({inner, outer});
     }
+  }
+  visible_.hold(visible_size);
+  horizon_.clear();
+  horizon_.make_room(cut_size);
+  for (std::size_t k = 0; k < cut_size; ++k) horizon_.push(horizon_ridge(cut_[k]));
+  return true;
+}
+
+/// What the apex sees of the neighbours of some facets; false if one is not in the range.
+bool Inserter::see_wave(Site apex, std::span<const FacetIndex> wave, Seen* sees) {
+  if (!own_.all() && !std::ranges::all_of(wave, [&](FacetIndex f) { return own(f); })) return false;
+  for (const FacetIndex f : wave) {
+    for (const Ridge r : facets_.neighbors(f)) facets_.prefetch(facet_of(r));
+  }
+  if (by_four_) {
+    see_neighbors_by_four(facets_, wave, points_[apex], sees);
+  } else {
+    see_neighbors(facets_, wave, points_[apex], stamp_, sees);
+  }
+  return true;
+}
+
+/// Settles which of a facet's neighbours the apex sees where that is not clear, nor known.
+void Inserter::decide(Site apex, FacetIndex f, Seen& sees) const {
+  for (unsigned i = 0; i < 4; ++i) {
+    const FacetIndex g = facet_of(facets_.neighbors(f)[i]);
+    if ((sees.unclear >> i & 1) == 0 || facets_[g].mark >= stamp_) continue;
+    if (facets_.decide(g, apex))
+      sees.neighbors = static_cast<std::uint8_t>(sees.neighbors | 1u << i);
   }
 }
 
@@ -221,11 +229,12 @@ void Inserter::make_cone(Site apex) {
     facets_.neighbors(f)[0] = outer;
     facets_.neighbors(facet_of(outer))[corner_of(outer)] = ridge(f, 0);
     facets_.mark(f) = 0;
-    const std::array<std::uint32_t, 3> n{number_of(a, apex), number_of(b, apex),
-                                         number_of(c, apex)};
-    facets_.set_hyperplane(f, &spokes_[n[0]], &spokes_[n[1]],
-                           c == kAtInfinity ? nullptr : &spokes_[n[2]]);
-    cone_.push({f, n});
+    cone_.push({f, {number_of(a, apex), number_of(b, apex), number_of(c, apex)}});
+  }
+  if (by_four_) {
+    set_hyperplanes_by_four(facets_, cone_.held(), spokes_.held());
+  } else {
+    set_hyperplanes(facets_, cone_.held(), spokes_.held());
   }
   if (visible_.size() > horizon_.size()) {
     free_.insert(free_.end(), visible_.begin() + horizon_.size(), visible_.end());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/hull_facets.h"
+#include "kernel/hull_lanes.h"
 #include "kernel/large_array.h"
 #include "kernel/point.h"
 
@@ -43,6 +44,7 @@ class Stack {
   const T& operator[](std::size_t k) const { return room_[k]; }
   const T* begin() const { return room_.data(); }
   const T* end() const { return room_.data() + size_; }
+  std::span<const T> held() const { return {begin(), size_}; }
 
  private:
   std::vector<T> room_;
@@ -58,8 +60,9 @@ class Inserter {
   /// How many points may be in conflict sets at a time.
   static constexpr std::size_t kBatch = 16;
 
-  /// With all sites for its range. Facet 0 lives.
-  Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free);
+  /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes().
+  Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
+           bool by_four);
   /// One with a range of its own that goes on from here, as this one can only by take_over().
   Inserter helper(SiteRange own);
   /// Goes on from where a helper ended.
@@ -80,12 +83,12 @@ class Inserter {
     FacetIndex facet = kNone;  ///< kNone once the point is in
     double height = 0;         ///< above that facet's hyperplane, up to rounding
   };
-  /// A ridge of a visible facet that is still to be crossed.
-  struct FrontRidge {
-    Ridge inner;  ///< seen from a visible facet
+  /// A ridge between a visible facet and one that is not.
+  struct CutRidge {
+    Ridge inner;  ///< seen from the visible facet
     Ridge outer;  ///< the same, seen from the other side
   };
-  /// A ridge between a visible facet and one that is not, as the cone's new facet will hold it.
+  /// The same as the cone's new facet will hold it.
   struct HorizonRidge {
     std::array<Site, 3> corners;  ///< with the apex first, these make a positively oriented facet
     Ridge outer;                  ///< seen from the facet that stays
@@ -96,7 +99,9 @@ class Inserter {
   // The four steps of Quickhull.
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
-  HorizonRidge horizon_ridge(const FrontRidge& ridge) const;
+  bool see_wave(Site apex, std::span<const FacetIndex> wave, Seen* sees);
+  void decide(Site apex, FacetIndex f, Seen& sees) const;
+  HorizonRidge horizon_ridge(const CutRidge& ridge) const;
   void make_cone(Site apex);
   void reassign_conflicts();
 
@@ -112,6 +117,7 @@ class Inserter {
 
   std::span<const Point3> points_;
   Facets& facets_;
+  bool by_four_;  ///< see kernel/hull_lanes
   SiteRange own_;
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
@@ -120,14 +126,11 @@ class Inserter {
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};
   // Of the insertion under way:
-  std::vector<FrontRidge> front_;  ///< room, as much as the next two have
   Stack<FacetIndex> visible_;
+  Stack<Seen> sees_;  ///< of the neighbours of each visible facet
+  Stack<CutRidge> cut_;
   Stack<HorizonRidge> horizon_;
   Stack<Slot> orphans_;
-  struct ConeFacet {
-    FacetIndex facet;
-    std::array<std::uint32_t, 3> numbers;  ///< of the horizon's corners 1 to 3
-  };
   Stack<ConeFacet> cone_;  ///< per horizon ridge
   Stack<Spoke> spokes_;    ///< per number, from the apex to the corner
   struct Number {

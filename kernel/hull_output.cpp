@@ -85,6 +85,14 @@ class Output {
   }
 
  private:
+  /// So many are sorted by counting.
+  static constexpr std::uint32_t kFew = 64;
+  struct Item {
+    std::uint64_t key;
+    Corners corners;
+    FacetIndex facet;
+  };
+
   bool lives(FacetIndex f) const { return facets_[f].corners[0] != kNone; }
   /// One bucket per lowest corner; those of infinite facets come after all others.
   std::size_t bucket(FacetIndex f) const {
@@ -132,33 +140,46 @@ class Output {
     });
   }
 
+  /// Sorts by the second and third corner: no two tetrahedra have the same first three, because
+  /// those around an edge, as they are oriented, lead from each third corner to one fourth.
   void sort_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
-    constexpr std::uint32_t kFew = 64;
-    if (end - begin > kFew) {
+    const std::uint32_t size = end - begin;
+    if (size > kFew) {
       sort_large_bucket(tets, begin, end);
-    } else {
-      for (std::uint32_t i = begin + 1; i < end; ++i) {
-        const Corners corners = tets[i];
-        const FacetIndex f = facet_at_[i];
-        std::uint32_t k = i;
-        for (; k > begin && corners < tets[k - 1]; --k) {
-          tets[k] = tets[k - 1];
-          facet_at_[k] = facet_at_[k - 1];
-        }
-        tets[k] = corners;
-        facet_at_[k] = f;
-      }
+      return;
     }
-    for (std::uint32_t i = begin; i < end; ++i) placed_[facet_at_[i]].tet = i;
+    // Counts how many come before each: no branch depends on the order they are in.
+    std::array<Item, kFew> items;
+    std::array<std::uint32_t, kFew> before;
+    for (std::uint32_t i = 0; i < size; ++i) {
+      items[i] = item(tets, begin + i);
+      std::uint32_t smaller = 0;
+      for (std::uint32_t k = 0; k < i; ++k) {
+        const bool less = items[k].key < items[i].key;
+        smaller += less;
+        before[k] += !less;
+      }
+      before[i] = smaller;
+    }
+    for (std::uint32_t i = 0; i < size; ++i) put(items[i], tets, begin + before[i]);
   }
 
   void sort_large_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
-    std::vector<std::pair<Corners, FacetIndex>> items;
-    for (std::uint32_t i = begin; i < end; ++i) items.emplace_back(tets[i], facet_at_[i]);
-    std::sort(items.begin(), items.end());
-    for (std::uint32_t i = begin; i < end; ++i) {
-      std::tie(tets[i], facet_at_[i]) = items[i - begin];
-    }
+    std::vector<Item> items;
+    for (std::uint32_t i = begin; i < end; ++i) items.push_back(item(tets, i));
+    std::sort(items.begin(), items.end(),
+              [](const Item& a, const Item& b) { return a.key < b.key; });
+    for (std::uint32_t i = begin; i < end; ++i) put(items[i - begin], tets, i);
+  }
+
+  Item item(const LargeArray<Corners>& tets, std::uint32_t i) const {
+    const Corners& c = tets[i];
+    return {std::uint64_t{+c[1]} << 32 | +c[2], c, facet_at_[i]};
+  }
+  void put(const Item& item, LargeArray<Corners>& tets, std::uint32_t at) {
+    tets[at] = item.corners;
+    facet_at_[at] = item.facet;
+    placed_[item.facet].tet = at;
   }
 
   void write_neighbors(LargeArray<std::array<FacetHandle, 4>>& neighbors) const {

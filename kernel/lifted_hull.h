@@ -31,6 +31,8 @@ struct LiftedHull {
 
 struct LiftedHullOptions {
   int threads = 1;  ///< at most so many; the result does not depend on it
+  /// Takes vectors of four numbers where the processor has them; the result does not depend on it.
+  bool four_lanes = true;
   /// Told now and then, on the caller's thread, which share of the work is done, from 0 to 1. May
   /// throw: that cancels, and the exception passes through.
   std::function<void(double)> progress = {};

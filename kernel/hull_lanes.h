@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "kernel/hull_facets.h"
+#include "kernel/point.h"
+
+/// What an insertion computes for many facets: four at a time where the processor has AVX2, one
+/// after the other elsewhere. Both are exact where they decide, so it makes no difference to the
+/// hull. Internal to kernel/lifted_hull.
+namespace tetsculpt::hull {
+
+/// Whether this build and this processor can take four at a time.
+bool has_four_lanes();
+
+/// Which of a facet's four neighbours a point sees, a bit each.
+struct Seen {
+  std::uint8_t neighbors;  ///< of those that are clear
+  std::uint8_t unclear;    ///< left to Facets::decide
+};
+
+/// Per facet of a list. Neighbours that are marked with `known` or more may be left out, and their
+/// bits mean nothing.
+void see_neighbors(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
+                   std::uint32_t known, Seen* seen);
+void see_neighbors_by_four(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
+                           Seen* seen);
+
+/// A new facet through an apex, its first corner, and a ridge of the horizon.
+struct ConeFacet {
+  FacetIndex facet;
+  std::array<std::uint32_t, 3> numbers;  ///< of its corners 1 to 3 among the spokes
+};
+
+/// Sets the hyperplanes of a cone's facets. The spokes lead from the apex to the other corners.
+void set_hyperplanes(Facets& facets, std::span<const ConeFacet> cone,
+                     std::span<const Spoke> spokes);
+void set_hyperplanes_by_four(Facets& facets, std::span<const ConeFacet> cone,
+                             std::span<const Spoke> spokes);
+
+}  // namespace tetsculpt::hull
