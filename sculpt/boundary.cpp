@@ -20,37 +20,71 @@ Boundary::Boundary(const TetComplex& complex, Flags solid)
       faces_(complex.tet_count(), 0),
       triangles_at_edge_(complex.edge_count(), 0),
       triangles_at_vertex_(complex.vertex_count(), 0),
+      edge_on_boundary_(complex.edge_count(), false),
+      vertex_on_boundary_(complex.vertex_count(), false),
       hidden_(complex.vertex_count()) {
   for (std::uint32_t t = 0; t < complex.triangle_count(); ++t) {
     const Facet f = complex.facet(TriangleId{t});
-    if (solid_[+f.tet] != solid_[+complex.neighbor(f.tet, f.corner)]) toggle(f);
+    if (solid_[+f.tet] != solid_[+complex.neighbor(f.tet, f.corner)]) add(f);
   }
 }
 
-/// Puts a triangle on the boundary or takes it off.
-void Boundary::toggle(Facet f) {
-  const TetId t = f.tet;
-  const auto& facet = kFacetCorners[static_cast<std::size_t>(f.corner)];
-  const auto& v = complex_->vertices(t);
-  const Facet other = complex_->across(t, f.corner);
-  faces_[+t] = static_cast<std::uint8_t>(faces_[+t] ^ 1u << f.corner);
-  faces_[+other.tet] = static_cast<std::uint8_t>(faces_[+other.tet] ^ 1u << other.corner);
-  const bool on = on_boundary(f);
-  const std::uint32_t change = on ? 1u : 0xffffffffu;
-  /// True if the simplex comes to the boundary or leaves it.
-  const auto counted = [&](std::uint32_t& count) {
-    const std::uint32_t before = std::exchange(count, count + change);
-    return before == 0 || count == 0;
-  };
-  int appeared = 1;  // the triangle, less the edges, plus the vertices
-  for (std::size_t i = 0; i < 3; ++i) {
-    const EdgeId e = complex_->edge(t, kEdgeOfCorners[facet[i]][facet[(i + 1) % 3]]);
-    appeared -= counted(triangles_at_edge_[+e]);
-    if (!counted(triangles_at_vertex_[+v[facet[i]]])) continue;
-    ++appeared;
-    on ? --hidden_ : ++hidden_;
+namespace {
+
+/// Edges both of whose facets change sides alike when a tetrahedron is flipped, by its facets on
+/// the boundary: only their triangles change in number, by two.
+struct ChangingEdges {
+  std::uint8_t count = 0;
+  std::array<std::uint8_t, 6> edges{};
+};
+constexpr std::array<ChangingEdges, 16> kChangingEdges = [] {
+  std::array<ChangingEdges, 16> table{};
+  for (unsigned facets = 0; facets < 16; ++facets) {
+    for (std::uint8_t k = 0; k < 6; ++k) {
+      const auto [i, j] = kEdgeCorners[5 - k];  // the facets that hold edge k
+      if ((facets >> i & 1) != (facets >> j & 1)) continue;
+      table[facets].edges[table[facets].count++] = k;
+    }
   }
-  euler_characteristic_ += on ? appeared : -appeared;
+  return table;
+}();
+
+/// A simplex has so many boundary triangles more: 1 if that brings it to the boundary, -1 if that
+/// takes it off, 0 if neither.
+int change(std::uint32_t& triangles, int more) {
+  const bool before = triangles != 0;
+  triangles += static_cast<std::uint32_t>(more);
+  return (triangles != 0) - before;
+}
+
+}  // namespace
+
+inline int Boundary::count(EdgeId e, int more) {
+  const int change = tetsculpt::change(triangles_at_edge_[+e], more);
+  if (change != 0) edge_on_boundary_[+e] = change > 0;
+  return change;
+}
+
+inline int Boundary::count(VertexId v, int more) {
+  const int change = tetsculpt::change(triangles_at_vertex_[+v], more);
+  if (change != 0) vertex_on_boundary_[+v] = change > 0;
+  return change;
+}
+
+/// Puts a triangle on the boundary.
+void Boundary::add(Facet f) {
+  const Facet other = complex_->across(f.tet, f.corner);
+  faces_[+f.tet] = static_cast<std::uint8_t>(faces_[+f.tet] | 1u << f.corner);
+  faces_[+other.tet] = static_cast<std::uint8_t>(faces_[+other.tet] | 1u << other.corner);
+  const auto& facet = kFacetCorners[static_cast<std::size_t>(f.corner)];
+  ++euler_characteristic_;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeId e = complex_->edge(f.tet, kEdgeOfCorners[facet[i]][facet[(i + 1) % 3]]);
+    euler_characteristic_ -= count(e, 1);
+    const int appeared = count(complex_->vertices(f.tet)[facet[i]], 1);
+    euler_characteristic_ += appeared;
+    hidden_ -= static_cast<std::size_t>(appeared);
+  }
 }
 
 void Boundary::remove(TetId t) {
@@ -60,8 +94,27 @@ void Boundary::remove(TetId t) {
 
 void Boundary::flip(TetId t) {
   assert(complex_->finite(t));
+  const unsigned facets = faces_[+t];
   solid_[+t] ^= 1;
-  for (int i = 0; i < 4; ++i) toggle({t, i});
+  faces_[+t] = static_cast<std::uint8_t>(facets ^ 15);
+  int vertices = 0;
+  for (int i = 0; i < 4; ++i) {
+    const Facet other = complex_->across(t, i);
+    faces_[+other.tet] = static_cast<std::uint8_t>(faces_[+other.tet] ^ 1u << other.corner);
+    // All facets but that opposite the corner hold it.
+    const int more = 3 - 2 * facet_count(facets & ~(1u << i));
+    vertices += count(complex_->vertices(t)[static_cast<std::size_t>(i)], more);
+  }
+  int edges = 0;
+  const ChangingEdges& changing = kChangingEdges[facets];
+  for (std::size_t n = 0; n < changing.count; ++n) {
+    const int k = changing.edges[n];
+    const std::uint8_t facet = kEdgeCorners[static_cast<std::size_t>(5 - k)][0];
+    const int more = (facets >> facet & 1) != 0 ? -2 : 2;
+    edges += count(complex_->edge(t, k), more);
+  }
+  hidden_ -= static_cast<std::size_t>(vertices);
+  euler_characteristic_ += vertices - edges + 4 - 2 * facet_count(facets);
 }
 
 std::vector<VertexId> Boundary::hidden_vertices() const {
@@ -70,26 +123,6 @@ std::vector<VertexId> Boundary::hidden_vertices() const {
     if (triangles_at_vertex_[v] == 0) hidden.push_back(VertexId{v});
   }
   return hidden;
-}
-
-Exposure exposure(const Boundary& boundary, TetId t) {
-  const TetComplex& complex = boundary.complex();
-  const unsigned faces = boundary.faces(t);
-  Exposure e;
-  e.faces = facet_count(faces);
-  e.facets = static_cast<std::uint8_t>(faces);
-  if (e.faces == 1) {
-    const auto opposite = static_cast<std::size_t>(std::countr_zero(faces));
-    e.removable = !boundary.on_boundary(complex.vertices(t)[opposite]);
-  } else if (e.faces == 2) {
-    // Facets i and j are opposite corners i and j: their common edge joins the other two corners,
-    // and the edge opposite to it joins i and j.
-    const auto i = static_cast<std::size_t>(std::countr_zero(faces));
-    const auto j = static_cast<std::size_t>(std::countr_zero(faces & (faces - 1)));
-    e.opposite_edge = kEdgeOfCorners[i][j];
-    e.removable = !boundary.on_boundary(complex.edge(t, e.opposite_edge));
-  }
-  return e;
 }
 
 std::vector<std::array<VertexId, 3>> boundary_triangles(const TetComplex& complex,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,8 +36,8 @@ class Boundary {
   std::uint8_t faces(TetId t) const { return faces_[+t]; }
   bool on_boundary(Facet f) const { return (faces_[+f.tet] >> f.corner & 1) != 0; }
   bool on_boundary(TriangleId t) const { return on_boundary(complex_->facet(t)); }
-  bool on_boundary(EdgeId e) const { return triangles_at_edge_[+e] != 0; }
-  bool on_boundary(VertexId v) const { return triangles_at_vertex_[+v] != 0; }
+  bool on_boundary(EdgeId e) const { return edge_on_boundary_[+e]; }
+  bool on_boundary(VertexId v) const { return vertex_on_boundary_[+v]; }
   /// How many boundary triangles hold the vertex.
   std::size_t triangles_at(VertexId v) const { return triangles_at_vertex_[+v]; }
   /// Vertices that are not on the boundary: all their tetrahedra are solid, or none is.
@@ -52,13 +53,18 @@ class Boundary {
   void flip(TetId t);
 
  private:
-  void toggle(Facet f);
+  void add(Facet f);
+  int count(EdgeId e, int more);
+  int count(VertexId v, int more);
 
   const TetComplex* complex_;
   Flags solid_;
   Flags faces_;
   LargeArray<std::uint32_t> triangles_at_edge_;
   LargeArray<std::uint32_t> triangles_at_vertex_;
+  // The same as a bit each, in the nearest caches.
+  std::vector<bool> edge_on_boundary_;
+  std::vector<bool> vertex_on_boundary_;
   std::size_t hidden_;
   std::int64_t euler_characteristic_ = 0;
 };
@@ -84,7 +90,23 @@ constexpr int facet_count(unsigned bits) {
 /// Classifies a tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
 /// 2-manifold of the same topology: never with three or four boundary faces. The rules are the same
 /// for taking a solid tetrahedron off and for adding one that is not.
-Exposure exposure(const Boundary& boundary, TetId t);
+inline Exposure exposure(const Boundary& boundary, TetId t) {
+  const TetComplex& complex = boundary.complex();
+  const unsigned faces = boundary.faces(t);
+  Exposure e{.faces = facet_count(faces), .facets = static_cast<std::uint8_t>(faces)};
+  if (e.faces == 1) {
+    const auto opposite = static_cast<std::size_t>(std::countr_zero(faces));
+    e.removable = !boundary.on_boundary(complex.vertices(t)[opposite]);
+  } else if (e.faces == 2) {
+    // Facets i and j are opposite corners i and j: their common edge joins the other two corners,
+    // and the edge opposite to it joins i and j.
+    const auto i = static_cast<std::size_t>(std::countr_zero(faces));
+    const auto j = static_cast<std::size_t>(std::countr_zero(faces & (faces - 1)));
+    e.opposite_edge = kEdgeOfCorners[i][j];
+    e.removable = !boundary.on_boundary(complex.edge(t, e.opposite_edge));
+  }
+  return e;
+}
 
 /// The boundary triangles of a set of tetrahedra, counterclockwise from outside the solid, in the
 /// order of the tetrahedra.

@@ -22,6 +22,22 @@ Vec from(const Point3& a, const Point3& b) { return {b.x - a.x, b.y - a.y, b.z -
 
 double length(const Vec& a) { return std::sqrt(dot(a, a)); }
 
+/// The edges of each set of facets; the first one again where they are less than six: no branch
+/// depends on how many they are. For no facets, any.
+constexpr std::array<std::array<std::uint8_t, 6>, 16> kEdgesOfFacets = [] {
+  std::array<std::array<std::uint8_t, 6>, 16> table{};
+  for (unsigned facets = 1; facets < 16; ++facets) {
+    std::size_t count = 0;
+    for (std::uint8_t k = 0; k < 6; ++k) {
+      // An edge lies on the two facets opposite the corners that it does not touch.
+      const auto [i, j] = kEdgeCorners[5 - k];
+      if ((facets >> i & 1) != 0 || (facets >> j & 1) != 0) table[facets][count++] = k;
+    }
+    for (; count < 6; ++count) table[facets][count] = table[facets][0];
+  }
+  return table;
+}();
+
 /// A tetrahedron's corners in lexicographic order, with the facet opposite each.
 struct SortedTet {
   std::array<const Point3*, 4> point;
@@ -97,11 +113,8 @@ double Priority::key(TetId t, const Exposure& exposure) const {
 
 std::uint32_t Priority::longest_edge_rank(TetId t, const Exposure& exposure) const {
   std::uint32_t longest = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    // An edge lies on the two facets opposite the corners that it does not touch.
-    const auto [i, j] = kEdgeCorners[5 - k];
-    if (!exposure.on_boundary(i) && !exposure.on_boundary(j)) continue;
-    longest = std::max(longest, rank_of_edge_[+complex_->edge(t, static_cast<int>(k))]);
+  for (const std::uint8_t k : kEdgesOfFacets[exposure.facets]) {
+    longest = std::max(longest, rank_of_edge_[+complex_->edge(t, k)]);
   }
   return longest;
 }

@@ -23,7 +23,7 @@ void RankQueue::push(const RemovalEntry& entry) {
   } else {
     free_ = items_[item].next;
   }
-  if (first_[list] == kNone) mark(list);
+  mark(list);  // whether it is already is known later than this is done
   items_[item] = {entry.tet, first_[list]};
   first_[list] = item;
   ++size_;

@@ -13,7 +13,12 @@
 //
 // Each step keeps its place in a log of tetrahedra whose boundary faces changed, so that going
 // round again looks only at what is new: an entry that was not removable can only become so by such
-// a change.
+// a change. One that was touched again later waits until then.
+//
+// What it costs is memory: a removal goes to a dozen places that no cache is near to, one of which
+// leads to the next. Without gain: a cache line for all that is known of a tetrahedron, and the
+// graphs take a third more; the neighbours of what is pushed, or the next of the queue, on their
+// way to the cache ahead.
 #include "sculpt/sculpt_paper.h"
 
 #include <algorithm>
@@ -30,6 +35,20 @@ namespace {
 enum class Step { kUnconstrained, kConstrained, kEghLifted, kAllLifted, kExposeTree };
 constexpr std::size_t kSteps = 5;
 
+/// Per tetrahedron, which of its facets are flagged triangles, a bit each: a look needs no
+/// triangle's id.
+Flags facets_of(const Flags& triangles, const TetComplex& complex) {
+  Flags facets(complex.tet_count(), 0);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (!triangles[t]) continue;
+    const Facet f = complex.facet(TriangleId{t});
+    for (const auto& [tet, corner] : {f, complex.across(f.tet, f.corner)}) {
+      facets[+tet] = static_cast<std::uint8_t>(facets[+tet] | 1u << corner);
+    }
+  }
+  return facets;
+}
+
 template <class Queue>
 class PaperSculptor {
  public:
@@ -40,9 +59,11 @@ class PaperSculptor {
         options_(options),
         boundary_(complex),
         priority_(options.criterion, points, complex),
-        queue_(complex, complex.edge_count()) {
+        queue_(complex, complex.edge_count()),
+        egh_facets_(facets_of(constraints.egh_triangles, complex)),
+        last_touch_(complex.tet_count(), 0) {
     for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-      if (faces(TetId{t}) != 0) touched_.push_back(TetId{t});
+      if (faces(TetId{t}) != 0) touch(TetId{t});
     }
   }
 
@@ -68,12 +89,13 @@ class PaperSculptor {
   bool current(Step step, const RemovalEntry& entry);
   bool done(Step step) const;
   bool allowed(Step step, TetId t, const Exposure& e) const;
-  bool in_egh(TetId t, const Exposure& e) const;
   bool common_edge_in_tree(TetId t, const Exposure& e) const;
   bool exposes_tree_edge(TetId t, const Exposure& e) const;
   double key(Step step, TetId t, const Exposure& e) const;
   void push(Step step, TetId t);
   void push_touched(Step step);
+  void touch(TetId t);
+  bool is_last_touch(std::size_t k) const { return last_touch_[+touched_[k]] == k; }
   void remove(TetId t);
   bool open_hole();
   void find_prisms();
@@ -86,8 +108,10 @@ class PaperSculptor {
   Boundary boundary_;
   Priority priority_;
   Queue queue_;
-  std::vector<PrismEntry> prisms_;          ///< a heap by before()
-  std::vector<TetId> touched_;              ///< log: their boundary faces changed
+  std::vector<PrismEntry> prisms_;        ///< a heap by before()
+  std::vector<TetId> touched_;            ///< log: their boundary faces changed
+  Flags egh_facets_;                      ///< per tetrahedron, its triangles of the EGH, a bit each
+  LargeArray<std::uint32_t> last_touch_;  ///< per tetrahedron, its last place in the log
   std::array<std::size_t, kSteps> seen_{};  ///< per step, how much of the log it has seen
   std::size_t seen_by_prisms_ = 0;
   Sculpture out_;
@@ -155,7 +179,7 @@ bool PaperSculptor<Queue>::allowed(Step step, TetId t, const Exposure& e) const 
   if (!e.removable) return false;
   switch (step) {
     case Step::kConstrained:
-      return !in_egh(t, e) && !common_edge_in_tree(t, e);
+      return (egh_facets_[+t] & e.facets) == 0 && !common_edge_in_tree(t, e);
     case Step::kEghLifted:
       return !common_edge_in_tree(t, e);
     case Step::kExposeTree:
@@ -163,18 +187,6 @@ bool PaperSculptor<Queue>::allowed(Step step, TetId t, const Exposure& e) const 
     default:
       return true;
   }
-}
-
-/// Is a boundary face of t a triangle of the EGH?
-template <class Queue>
-bool PaperSculptor<Queue>::in_egh(TetId t, const Exposure& e) const {
-  for (int i = 0; i < 4; ++i) {
-    if (e.on_boundary(static_cast<std::size_t>(i)) &&
-        constraints_.egh_triangles[+complex_.triangle(t, i)]) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// With two boundary faces, is their common edge in the EMST?
@@ -214,7 +226,15 @@ void PaperSculptor<Queue>::push(Step step, TetId t) {
 template <class Queue>
 void PaperSculptor<Queue>::push_touched(Step step) {
   std::size_t& seen = seen_[static_cast<std::size_t>(step)];
-  for (; seen < touched_.size(); ++seen) push(step, touched_[seen]);
+  for (; seen < touched_.size(); ++seen) {
+    if (is_last_touch(seen)) push(step, touched_[seen]);
+  }
+}
+
+template <class Queue>
+void PaperSculptor<Queue>::touch(TetId t) {
+  last_touch_[+t] = static_cast<std::uint32_t>(touched_.size());
+  touched_.push_back(t);
 }
 
 template <class Queue>
@@ -224,7 +244,7 @@ void PaperSculptor<Queue>::remove(TetId t) {
   out_.removed.push_back(t);
   for (int i = 0; i < 4; ++i) {
     const TetId u = complex_.neighbor(t, i);
-    if (boundary_.solid(u)) touched_.push_back(u);
+    if (boundary_.solid(u)) touch(u);
   }
   if (options_.progress && (out_.removed.size() & 0xffff) == 0) {
     options_.progress(1 - static_cast<double>(boundary_.hidden_count()) /
@@ -256,7 +276,7 @@ void PaperSculptor<Queue>::find_prisms() {
   const auto later = [&](const PrismEntry& a, const PrismEntry& b) { return before(b, a); };
   for (; seen_by_prisms_ < touched_.size(); ++seen_by_prisms_) {
     const TetId t = touched_[seen_by_prisms_];
-    if (!boundary_.solid(t)) continue;
+    if (!boundary_.solid(t) || !is_last_touch(seen_by_prisms_)) continue;
     for (unsigned left = faces(t); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
       ++out_.work.bases;
