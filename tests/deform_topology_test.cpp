@@ -20,6 +20,7 @@
 #include "sculpt/star_fill.h"
 #include "sculpt/star_search.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_stages.h"
 
 namespace tetsculpt {
@@ -30,7 +31,7 @@ std::vector<testing::NamedSet> all_sets() {
   for (testing::NamedSet& set : testing::bodies()) sets.push_back(std::move(set));
   sets.push_back({"box of 500, seed 1", point_sets::uniform_cube(500, 1)});
   sets.push_back({"lattice sphere 101", point_sets::lattice_sphere(101)});
-  return sets;
+  return testing::some_of(std::move(sets));
 }
 
 /// The complex with what deforming needs, and what the evidence says.

@@ -15,6 +15,7 @@
 #include "sculpt/boundary.h"
 #include "sculpt/evidence.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_stages.h"
 
 namespace tetsculpt {
@@ -61,7 +62,7 @@ struct Scene {
 std::vector<testing::NamedSet> all_sets() {
   std::vector<testing::NamedSet> sets = testing::small_sets();
   for (testing::NamedSet& set : testing::bodies()) sets.push_back(std::move(set));
-  return sets;
+  return testing::some_of(std::move(sets));
 }
 
 TEST_CASE("mending random labels") {
@@ -88,8 +89,8 @@ TEST_CASE("mending random labels") {
       }
     }
   }
-  CHECK(mended > 200);
-  CHECK(failed > 200);
+  CHECK(mended > testing::random_cases(200));
+  CHECK(failed > testing::random_cases(200));
 }
 
 /// Mends random labels, then brings out what is hidden one by one. Counts both outcomes.
@@ -98,7 +99,7 @@ Flags mend_and_expose(const Scene& scene, const Flags& labels, std::array<int, 2
   StarSearch search(boundary, scene.stars, scene.evidence);
   if (!search.mend_bad(kEnough)) return labels;
   for (const std::size_t flips : {0u, 2u, 64u, 4096u}) {
-    for (const VertexId v : boundary.hidden_vertices()) {
+    for (const VertexId v : testing::some_of(boundary.hidden_vertices())) {
       const auto hidden = boundary.hidden_vertices();
       if (!std::ranges::binary_search(hidden, v)) continue;  // came out with another one
       const Flags before = boundary.solid();
@@ -115,7 +116,7 @@ Flags mend_and_expose(const Scene& scene, const Flags& labels, std::array<int, 2
 
 TEST_CASE("bringing out hidden vertices, and the same again") {
   std::array<int, 2> outcomes{};
-  for (const testing::NamedSet& set : testing::small_sets()) {
+  for (const testing::NamedSet& set : testing::some_of(testing::small_sets())) {
     const Scene scene(set.points, 3);
     for (const double share : kShares) {
       INFO(set, ", labels of seed 4, share ", share, ", evidence of seed 3");
@@ -124,8 +125,8 @@ TEST_CASE("bringing out hidden vertices, and the same again") {
       REQUIRE(mend_and_expose(scene, labels, outcomes) == once);
     }
   }
-  CHECK(outcomes[0] > 500);
-  CHECK(outcomes[1] > 500);
+  CHECK(outcomes[0] > testing::random_cases(500));
+  CHECK(outcomes[1] > testing::random_cases(500));
 }
 
 }  // namespace
