@@ -1,12 +1,12 @@
 // Expansion arithmetic after J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast
-// robust geometric predicates", Discrete & Computational Geometry 18, 1997, section 2. The products
-// use Dekker's splitting, not a fused multiply-add, so that every x86-64 and ARM build computes
-// alike.
+// robust geometric predicates", Discrete & Computational Geometry 18, 1997, section 2.
 #include "kernel/expansion.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+
+#include "kernel/two_terms.h"
 
 #ifdef __FAST_MATH__
 #error "exact arithmetic needs IEEE semantics: build without -ffast-math"
@@ -15,41 +15,6 @@ static_assert(FLT_EVAL_METHOD == 0, "exact arithmetic needs doubles that are rou
 
 namespace tetsculpt {
 namespace {
-
-constexpr double kSplitter = 134217729.0;  // 2^27 + 1
-
-struct TwoTerms {
-  double high;
-  double low;
-};
-
-/// a + b exactly, for |a| >= |b|.
-TwoTerms fast_two_sum(double a, double b) {
-  const double high = a + b;
-  return {high, b - (high - a)};
-}
-
-/// a + b exactly.
-TwoTerms two_sum(double a, double b) {
-  const double high = a + b;
-  const double b_part = high - a;
-  return {high, (a - (high - b_part)) + (b - b_part)};
-}
-
-TwoTerms split(double a) {
-  const double c = kSplitter * a;
-  const double high = c - (c - a);
-  return {high, a - high};
-}
-
-/// a * b exactly, where b is split already.
-TwoTerms two_product(double a, double b, TwoTerms b_split) {
-  const TwoTerms s = split(a);
-  const double high = a * b;
-  const double error =
-      ((high - s.high * b_split.high) - s.low * b_split.high) - s.high * b_split.low;
-  return {high, s.low * b_split.low - error};
-}
 
 /// Appends components to an expansion under construction, leaving zeros out.
 struct Writer {

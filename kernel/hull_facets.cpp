@@ -10,13 +10,13 @@
 //     P(y,z,w) <= |A| |B| |C| (|A| + |B| + |C|) =: pi sigma,    P(x,y,z) <= 1.16 pi.
 // Divided by -Nw as it was computed, which takes two roundings more of the other components, the
 // value is off by at most
-//     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny).
-// With |dx| + |dy| + |dz| <= sqrt(3) |d| and 2 sigma |d| <= sigma^2 + |d|^2 that is at most
-//     u (pi / -Nw) (38.5 |d|^2 + 16.5 sigma^2);
-// 41 and 17.5 cover the roundings of the bound itself. Where Nw has the wrong sign or none, the
-// bound is infinite. For an infinite facet C is (0, 0, 0, 1), the value is -(A x B).d / (|A| |B|)
-// in units of 1 / reach; 10 u reach (|dx| + |dy| + |dz|) is enough, and no component is above
-// 4 reach: 144 u reach^2 taken.
+//     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny);
+// the constant 24 below, for both, covers the roundings of the bound itself. Where Nw has the wrong
+// sign or none, the bound is infinite. For an infinite facet C is (0, 0, 0, 1), the value is
+// -(A x B).d / (|A| |B|) in units of 1 / reach; 10 u reach (|dx| + |dy| + |dz|) is enough, 12
+// taken. A bound without the distance's first power, cheaper by some additions, would be useless
+// where a facet is large and the query near its corner: on a million points of a torus that is
+// common, and a seventh of the hull's time went into exact arithmetic.
 //
 // All coordinates are multiples of a unit g. Where the value does not decide, N.d is computed again
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
@@ -85,7 +85,6 @@ Facets::Facets(std::span<const Point3> sites, double unit)
     : sites_(sites),
       reach_(reach_of(sites)),
       per_reach_(1 / reach_),
-      offset_unit_(reach_ * reach_ * ErrorFactors::kOffsetUnit),
       per_unit_(1 / unit),
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit),
@@ -113,7 +112,7 @@ void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const 
     const Normal m = half_space(a->to, b->to);
     const double scale = reach_ / (a->length * b->length);
     set_hyperplane(f, scale * m.x, scale * m.y, scale * m.z,
-                   ErrorFactors::linear(ErrorFactors::kLinearOffset));
+                   ErrorFactors::only_linear(ErrorFactors::kLinearRoundings));
     return;
   }
   const Normal m = normal(a->to, b->to, c->to);
@@ -122,11 +121,9 @@ void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const 
     return;
   }
   const double scale = -1 / m.w;
-  const double volume = scale * (a->length * b->length * c->length);
+  const double square = ErrorFactors::kRoundings * scale * (a->length * b->length * c->length);
   const double extent = (a->length + b->length + c->length) * per_reach_;
-  set_hyperplane(
-      f, scale * m.x, scale * m.y, scale * m.z,
-      {ErrorFactors::kSlope * volume, ErrorFactors::kOffset * (volume * (extent * extent))});
+  set_hyperplane(f, scale * m.x, scale * m.y, scale * m.z, {square, square * extent});
 }
 
 void Facets::set_hyperplane(FacetIndex f) {

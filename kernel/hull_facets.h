@@ -45,28 +45,29 @@ struct Spoke {
 };
 
 /// Bounds the errors of a facet's heights: two numbers, rounded up to the upper half of a float
-/// each. The offset is in units of kOffsetUnit: none is so small that processors need long for it.
+/// each.
 class ErrorFactors {
  public:
   ErrorFactors() = default;
-  ErrorFactors(double slope, double offset) : bits_(rounded_up(slope) | rounded_up(offset) >> 16) {}
-  /// Of heights that are linear: slope zero, which none else has.
-  static ErrorFactors linear(double offset) { return of_bits(rounded_up(offset) >> 16); }
+  ErrorFactors(double square, double linear)
+      : bits_(rounded_up(square) | rounded_up(linear) >> 16) {}
+  /// Of heights that are linear: no square, which none else has.
+  static ErrorFactors only_linear(double linear) { return of_bits(rounded_up(linear) >> 16); }
   static ErrorFactors of_bits(std::uint32_t bits) {
     ErrorFactors result;
     result.bits_ = bits;
     return result;
   }
   std::uint32_t bits() const { return bits_; }
-  double slope() const { return static_cast<double>(std::bit_cast<float>(bits_ & 0xffff0000u)); }
-  double offset() const { return static_cast<double>(std::bit_cast<float>(bits_ << 16)); }
+  /// Per square of the distance; zero for linear heights only.
+  double square() const { return static_cast<double>(std::bit_cast<float>(bits_ & 0xffff0000u)); }
+  /// Per distance, where lengths are in units of the size of the set.
+  double linear() const { return static_cast<double>(std::bit_cast<float>(bits_ << 16)); }
   bool is_linear() const { return bits_ <= 0xffffu; }
 
-  static constexpr double kOffsetUnit = 0x1p-64;
   // See hull_facets.cpp.
-  static constexpr double kSlope = 41 * 0x1p-53;
-  static constexpr double kOffset = 17.5 * 0x1p-53 / kOffsetUnit;
-  static constexpr double kLinearOffset = 144 * 0x1p-53 / kOffsetUnit;
+  static constexpr double kRoundings = 24 * 0x1p-53;
+  static constexpr double kLinearRoundings = 12 * 0x1p-53;
 
  private:
   /// Always more than the value; what is too large for a float becomes infinite or no number.
@@ -88,7 +89,7 @@ struct FacetLinks {
 ///     nx dx + ny dy + nz dz - |d|^2,
 /// the negative power of q (an infinite facet, which is a half-space: without |d|^2), positive if
 /// the facet is visible from q. It is off by at most
-///     slope |d|^2 + offset,   the offset in units of the square of the size of the set.
+///     square |d|^2 + linear (|dx| + |dy| + |dz|),   the latter in units of the size of the set.
 /// All an insertion reads or writes of a facet is this: one cache line.
 struct alignas(64) Facet {
   double nx, ny, nz;
@@ -143,9 +144,9 @@ class Facets {
     n.nz = nz;
     n.error = error;
   }
+  /// As large as the set, a power of two; and its inverse.
+  double reach() const { return reach_; }
   double per_reach() const { return per_reach_; }
-  /// In which the facets' ErrorFactors are to be taken.
-  double offset_unit() const { return offset_unit_; }
 
   void prefetch(FacetIndex f) const { __builtin_prefetch(&facets_[f]); }
 
@@ -172,7 +173,6 @@ class Facets {
   std::mutex growing_;
   double reach_;                 ///< as large as the set, a power of two
   double per_reach_;             ///< 1 / reach_
-  double offset_unit_;           ///< that of the facets' ErrorFactors
   double per_unit_;              ///< 1 / unit
   double exact_below_;           ///< bound on an error of a finite facet below which there is none
   double exact_below_infinite_;  ///< the same for an infinite facet
@@ -202,7 +202,7 @@ inline Facets::Height Facets::height(FacetIndex f, const Point3& q) const {
   const LiftedDifference d = lifted_difference(q, sites_[n.links.corners[0]]);
   const double w = n.error.is_linear() ? 0 : d.w;
   return {n.nx * d.x + n.ny * d.y + n.nz * d.z - w,
-          n.error.slope() * w + n.error.offset() * offset_unit_};
+          n.error.square() * w + n.error.linear() * (l1_norm(d) * reach_)};
 }
 
 }  // namespace tetsculpt::hull

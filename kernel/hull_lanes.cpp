@@ -52,6 +52,8 @@ TETSCULPT_FOUR_LANES inline void load(const Spoke& a, const Spoke& b, const Spok
   to.length = Four{a.length, b.length, c.length, d.length};
 }
 
+TETSCULPT_FOUR_LANES inline Four magnitude(const Four& a) { return a < 0 ? -a : a; }
+
 /// A bit per lane that holds.
 template <class Lanes>
 TETSCULPT_FOUR_LANES inline std::uint8_t pattern(const Lanes& lanes) {
@@ -71,17 +73,17 @@ TETSCULPT_FOUR_LANES inline Seen see_four(const Facets& facets, const std::array
   const Point3& p2 = facets.point(f2.links.corners[0]);
   const Point3& p3 = facets.point(f3.links.corners[0]);
   const FourWords bits{f0.error.bits(), f1.error.bits(), f2.error.bits(), f3.error.bits()};
-  const Four slope =
+  const Four square =
       __builtin_convertvector(reinterpret_cast<FourFloats>(bits & 0xffff0000u), Four);
-  const Four offset = __builtin_convertvector(reinterpret_cast<FourFloats>(bits << 16), Four);
+  const Four linear = __builtin_convertvector(reinterpret_cast<FourFloats>(bits << 16), Four);
   const Four x = q.x - Four{p0.x, p1.x, p2.x, p3.x};
   const Four y = q.y - Four{p0.y, p1.y, p2.y, p3.y};
   const Four z = q.z - Four{p0.z, p1.z, p2.z, p3.z};
-  const Four square = x * x + y * y + z * z;
-  const Four w = slope == 0 ? Four{} : square;
+  const Four w = square == 0 ? Four{} : x * x + y * y + z * z;
   const Four value = Four{f0.nx, f1.nx, f2.nx, f3.nx} * x + Four{f0.ny, f1.ny, f2.ny, f3.ny} * y +
                      Four{f0.nz, f1.nz, f2.nz, f3.nz} * z - w;
-  const Four error = slope * w + offset * facets.offset_unit();
+  const Four l1_norm = magnitude(x) + magnitude(y) + magnitude(z);
+  const Four error = square * w + linear * (l1_norm * facets.reach());
   const auto visible = value > error;
   const auto clear = visible | (value < -error);
   return {pattern(visible), pattern(~clear)};
@@ -103,15 +105,14 @@ TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<Facet
   const Four nx = scale * -(yz * c.w - yw * c.z + zw * c.y);
   const Four ny = scale * -(zx * c.w - zw * c.x + xw * c.z);
   const Four nz = scale * -(xy * c.w - xw * c.y + yw * c.x);
-  const Four volume = scale * (a.length * b.length * c.length);
-  const Four extent = (a.length + b.length + c.length) * facets.per_reach();
   const Four infinite = HUGE_VAL - Four{};
-  const Four slope = good ? ErrorFactors::kSlope * volume : infinite;
-  const Four offset = good ? ErrorFactors::kOffset * (volume * (extent * extent)) : infinite;
+  const Four square =
+      good ? ErrorFactors::kRoundings * scale * (a.length * b.length * c.length) : infinite;
+  const Four linear = square * ((a.length + b.length + c.length) * facets.per_reach());
   const FourWords high =
-      reinterpret_cast<FourWords>(__builtin_convertvector(slope, FourFloats)) + 0x10000u;
+      reinterpret_cast<FourWords>(__builtin_convertvector(square, FourFloats)) + 0x10000u;
   const FourWords low =
-      reinterpret_cast<FourWords>(__builtin_convertvector(offset, FourFloats)) + 0x10000u;
+      reinterpret_cast<FourWords>(__builtin_convertvector(linear, FourFloats)) + 0x10000u;
   const FourWords bits = (high & 0xffff0000u) | low >> 16;
   for (std::size_t i = 0; i < 4; ++i) {
     facets.set_hyperplane(f[i], nx[i], ny[i], nz[i], ErrorFactors::of_bits(bits[i]));

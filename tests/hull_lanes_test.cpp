@@ -77,7 +77,7 @@ bool same_bits(const std::vector<hull::Facet>& a, const std::vector<hull::Facet>
     if (a[f].error.bits() != b[f].error.bits()) return false;
     const std::array<double, 3> p{a[f].nx, a[f].ny, a[f].nz};
     const std::array<double, 3> q{b[f].nx, b[f].ny, b[f].nz};
-    const bool bounded = std::isfinite(a[f].error.slope());
+    const bool bounded = std::isfinite(a[f].error.square());
     if (bounded && std::memcmp(&p, &q, sizeof p) != 0) return false;
   }
   return true;

@@ -13,6 +13,7 @@ foreach(
   predicates_compare_lengths_test
   predicates_collinear_test
   predicates_integer_stage_test
+  double_double_test
   predicates_symmetry_test
   hull_facets_height_test
   hull_lanes_test
