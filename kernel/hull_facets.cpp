@@ -14,9 +14,7 @@
 // the constant 24 below, for both, covers the roundings of the bound itself. Where Nw has the wrong
 // sign or none, the bound is infinite. For an infinite facet C is (0, 0, 0, 1), the value is
 // -(A x B).d / (|A| |B|) in units of 1 / reach; 10 u reach (|dx| + |dy| + |dz|) is enough, 12
-// taken. A bound without the distance's first power, cheaper by some additions, would be useless
-// where a facet is large and the query near its corner: on a million points of a torus that is
-// common, and a seventh of the hull's time went into exact arithmetic.
+// taken.
 //
 // All coordinates are multiples of a unit g. Where the value does not decide, N.d is computed again
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result

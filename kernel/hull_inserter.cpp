@@ -338,11 +338,13 @@ FacetIndex Inserter::locate(Site q) const {
   for (bool moved = true; moved;) {
     moved = false;
     at_border = false;
-    for (const Ridge r : facets_.neighbors(f)) {
-      const FacetIndex g = facet_of(r);
-      h = facets_.height(g, point);
-      const bool seen = h.value > h.error;
-      const bool nearer = !seen && !facets_.infinite(g) && h.value > height;
+    const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
+    const NeighborHeights heights = by_four_ ? neighbor_heights_by_four(facets_, f, point)
+                                             : neighbor_heights(facets_, f, point);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const FacetIndex g = facet_of(neighbors[i]);
+      const bool seen = (heights.visible >> i & 1) != 0;
+      const bool nearer = !seen && heights.value[i] > height && !facets_.infinite(g);
       if (!seen && !nearer) continue;
       if (!own(g)) {
         at_border = true;
@@ -350,9 +352,8 @@ FacetIndex Inserter::locate(Site q) const {
       }
       if (seen) return g;
       f = g;
-      height = h.value;
+      height = heights.value[i];
       moved = true;
-      break;
     }
   }
   return at_border ? kNone : locate_exactly(q, f);

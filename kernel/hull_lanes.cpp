@@ -62,8 +62,9 @@ TETSCULPT_FOUR_LANES inline std::uint8_t pattern(const Lanes& lanes) {
 }
 
 /// Facets::height of a facet's neighbours.
-TETSCULPT_FOUR_LANES inline Seen see_four(const Facets& facets, const std::array<Ridge, 4>& ridges,
-                                          const Point3& q) {
+TETSCULPT_FOUR_LANES inline void four_heights(const Facets& facets,
+                                              const std::array<Ridge, 4>& ridges, const Point3& q,
+                                              Four& value, Four& error) {
   const Facet& f0 = facets[facet_of(ridges[0])];
   const Facet& f1 = facets[facet_of(ridges[1])];
   const Facet& f2 = facets[facet_of(ridges[2])];
@@ -80,10 +81,17 @@ TETSCULPT_FOUR_LANES inline Seen see_four(const Facets& facets, const std::array
   const Four y = q.y - Four{p0.y, p1.y, p2.y, p3.y};
   const Four z = q.z - Four{p0.z, p1.z, p2.z, p3.z};
   const Four w = square == 0 ? Four{} : x * x + y * y + z * z;
-  const Four value = Four{f0.nx, f1.nx, f2.nx, f3.nx} * x + Four{f0.ny, f1.ny, f2.ny, f3.ny} * y +
-                     Four{f0.nz, f1.nz, f2.nz, f3.nz} * z - w;
+  value = Four{f0.nx, f1.nx, f2.nx, f3.nx} * x + Four{f0.ny, f1.ny, f2.ny, f3.ny} * y +
+          Four{f0.nz, f1.nz, f2.nz, f3.nz} * z - w;
   const Four l1_norm = magnitude(x) + magnitude(y) + magnitude(z);
-  const Four error = square * w + linear * (l1_norm * facets.reach());
+  error = square * w + linear * (l1_norm * facets.reach());
+}
+
+TETSCULPT_FOUR_LANES inline Seen see_four(const Facets& facets, const std::array<Ridge, 4>& ridges,
+                                          const Point3& q) {
+  Four value;
+  Four error;
+  four_heights(facets, ridges, q, value, error);
   const auto visible = value > error;
   const auto clear = visible | (value < -error);
   return {pattern(visible), pattern(~clear)};
@@ -153,6 +161,27 @@ TETSCULPT_FOUR_LANES void see_neighbors_by_four(const Facets& facets,
   for (std::size_t k = 0; k < list.size(); ++k) {
     seen[k] = see_four(facets, facets.neighbors(list[k]), q);
   }
+}
+
+NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const Point3& q) {
+  NeighborHeights heights{};
+  for (unsigned i = 0; i < 4; ++i) {
+    const Facets::Height h = facets.height(facet_of(facets.neighbors(f)[i]), q);
+    heights.value[i] = h.value;
+    heights.visible |= unsigned{h.value > h.error} << i;
+  }
+  return heights;
+}
+
+TETSCULPT_FOUR_LANES NeighborHeights neighbor_heights_by_four(const Facets& facets, FacetIndex f,
+                                                              const Point3& q) {
+  Four value;
+  Four error;
+  four_heights(facets, facets.neighbors(f), q, value, error);
+  NeighborHeights heights;
+  std::memcpy(&heights.value, &value, sizeof value);
+  heights.visible = pattern(value > error);
+  return heights;
 }
 
 void set_hyperplanes(Facets& facets, std::span<const ConeFacet> cone,

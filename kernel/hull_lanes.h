@@ -28,6 +28,14 @@ void see_neighbors(const Facets& facets, std::span<const FacetIndex> list, const
 void see_neighbors_by_four(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
                            Seen* seen);
 
+/// Facets::height of a point above a facet's four neighbours.
+struct NeighborHeights {
+  std::array<double, 4> value;
+  unsigned visible;  ///< those that are clearly seen, a bit each
+};
+NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const Point3& q);
+NeighborHeights neighbor_heights_by_four(const Facets& facets, FacetIndex f, const Point3& q);
+
 /// A new facet through an apex, its first corner, and a ridge of the horizon.
 struct ConeFacet {
   FacetIndex facet;

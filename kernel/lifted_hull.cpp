@@ -15,12 +15,13 @@
 // together, instead of five 15 %; stacks without checks 7 %; rounds of seven times all before
 // instead of once 25 % (a round streams all facets through the cache); batches of 16 instead of
 // whole rounds 25 %; the visible region grown in waves, four neighbours at a time, no branch on
-// which are visible 12 %; hyperplanes by four 5 %; no SLP vectorizer (see cmake/targets.cmake)
-// 14 %; buckets of the output sorted by counting 3 %; large pages half (page faults and TLB
-// misses). Without gain: -march=native; the waves without vectors of four (a sixth slower than
-// facet after facet); numbering the horizon and making the cone in two loops or in one, or without
-// a branch on which corners are new; corners numbered by a hash table in the nearest cache instead
-// of an array over all sites.
+// which are visible 12 %; hyperplanes by four 5 %; walks to the best of four neighbours instead of
+// the first that is better a fifth (a million points of a torus); no SLP vectorizer (see
+// cmake/targets.cmake) 14 %; buckets of the output sorted by counting 3 %; large pages half (page
+// faults and TLB misses). Without gain: -march=native; the waves without vectors of four (a sixth
+// slower than facet after facet); numbering the horizon and making the cone in two loops or in one,
+// or without a branch on which corners are new; corners numbered by a hash table in the nearest
+// cache instead of an array over all sites.
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
 // thread inserts one; what would touch another's facets waits until all are done: 8 % of the points

@@ -89,7 +89,8 @@ TEST_CASE("hyperplanes and what a point sees") {
     return;
   }
   Random random(11);
-  std::size_t visible = 0, unclear = 0, hidden = 0, wrong_planes = 0, wrong_views = 0;
+  std::size_t visible = 0, unclear = 0, hidden = 0, wrong_planes = 0, wrong_views = 0,
+              wrong_heights = 0;
   for (int round = 0; round < 20'000; ++round) {
     Scene scene(random, 1 + random.below(9));
     hull::set_hyperplanes(scene.facets, scene.cone, scene.spokes);
@@ -104,6 +105,16 @@ TEST_CASE("hyperplanes and what a point sees") {
     hull::see_neighbors(scene.facets, list, scene.query(), 1, &one);
     hull::see_neighbors_by_four(scene.facets, list, scene.query(), &four);
     wrong_views += one.neighbors != four.neighbors || one.unclear != four.unclear;
+    const auto heights = [&](auto&& of_neighbors) {
+      return of_neighbors(scene.facets, list[0], scene.query());
+    };
+    const hull::NeighborHeights h1 = heights(hull::neighbor_heights);
+    const hull::NeighborHeights h4 = heights(hull::neighbor_heights_by_four);
+    wrong_heights += h1.visible != h4.visible;
+    for (std::size_t i = 0; i < 4; ++i) {
+      // Without a bound on the error, the height means nothing.
+      if ((one.unclear >> i & 1) == 0) wrong_heights += h1.value[i] != h4.value[i];
+    }
     for (int i = 0; i < 4; ++i) {
       visible += one.neighbors >> i & 1;
       unclear += one.unclear >> i & 1;
@@ -112,6 +123,7 @@ TEST_CASE("hyperplanes and what a point sees") {
   }
   CHECK(wrong_planes == 0);
   CHECK(wrong_views == 0);
+  CHECK(wrong_heights == 0);
   CHECK(visible > 5'000);
   CHECK(unclear > 5'000);
   CHECK(hidden > 5'000);
