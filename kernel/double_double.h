@@ -21,10 +21,10 @@ struct DoubleDouble {
   }
 
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-    const TwoTerms high = two_sum(a.high, b.high);
-    const TwoTerms low = two_sum(a.low, b.low);
-    const TwoTerms sum = fast_two_sum(high.high, high.low + low.high);
-    const TwoTerms result = fast_two_sum(sum.high, low.low + sum.low);
+    const TwoTerms highs = two_sum(a.high, b.high);
+    const TwoTerms lows = two_sum(a.low, b.low);
+    const TwoTerms sum = fast_two_sum(highs.high, highs.low + lows.high);
+    const TwoTerms result = fast_two_sum(sum.high, lows.low + sum.low);
     return {result.high, result.low};
   }
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
