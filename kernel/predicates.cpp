@@ -10,7 +10,7 @@
 // same holds with 2^-103 for u, but for P, which is computed in doubles as before: (k+2) covers
 // that.
 //
-// Stage 3 took an eighth off the hull of a million points of a torus, whose tetrahedra have their
+// Stage 3 took a fifth off the hull of a million points of a torus, whose tetrahedra have their
 // corners nearly on one circle: expansions take ten times as long.
 #include "kernel/predicates.h"
 

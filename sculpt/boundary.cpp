@@ -1,7 +1,6 @@
 #include "sculpt/boundary.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace tetsculpt {

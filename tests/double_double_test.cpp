@@ -23,12 +23,12 @@ DoubleDouble random_number(Random& random) {
   const double high = random_double(random);
   const double half_ulp = std::ldexp(std::fabs(high), -54);
   const double low = random.below(3) == 0 ? 0 : random.uniform(-1, 1) * half_ulp;
-  return {high, random.below(3) == 0 ? std::ldexp(low, -20) : low};
+  return {{high, random.below(3) == 0 ? std::ldexp(low, -20) : low}};
 }
 
 /// The same magnitude with the other sign, up to the last digits.
 DoubleDouble nearly_opposite(Random& random, const DoubleDouble& a) {
-  return {-a.high, random.below(2) == 0 ? -a.low : -a.low + std::ldexp(a.low, -40)};
+  return {{-a.high, random.below(2) == 0 ? -a.low : -a.low + std::ldexp(a.low, -40)}};
 }
 
 Expansion exact(const DoubleDouble& a, ExpansionArena& arena) {
