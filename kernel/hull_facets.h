@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <mutex>
 #include <span>
 #include <utility>
@@ -133,7 +134,8 @@ class Facets {
   bool infinite(FacetIndex f) const { return facets_[f].links.infinite(); }
 
   /// Sets the hyperplane through the facet's first corner and three others, in their order; a null
-  /// pointer, for the last only, stands for the site at infinity.
+  /// pointer, for the last only, stands for the site at infinity. This and the following remove the
+  /// facet's mark.
   void set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c);
   /// Computes the differences, too.
   void set_hyperplane(FacetIndex f);
@@ -143,6 +145,11 @@ class Facets {
     n.ny = ny;
     n.nz = nz;
     n.error = error;
+    n.mark = 0;
+  }
+  /// From what a Facet begins with, as far as its mark.
+  void set_hyperplane(FacetIndex f, const void* row) {
+    std::memcpy(static_cast<void*>(&facets_[f]), row, offsetof(Facet, links));
   }
   /// As large as the set, a power of two; and its inverse.
   double reach() const { return reach_; }

@@ -25,7 +25,7 @@ Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<F
       facets_(facets),
       by_four_(by_four),
       free_(std::move(free)),
-      number_of_(points.size() + 1, Number{0, 0}),
+      number_of_(points.size() + 1, 0),
       half_ridge_(kLargeCone * kLargeCone) {}
 
 Inserter Inserter::helper(SiteRange own) {
@@ -112,72 +112,100 @@ inline Inserter::HorizonRidge Inserter::horizon_ridge(const CutRidge& ridge) con
   return {{c[others[0]], c[others[1]], c[others[2]]}, ridge.outer};
 }
 
-/// Grows the visible region from a facet that the apex sees, in waves; what it is cut off by is the
-/// horizon. False if the region leaves the range. Which neighbours are visible comes without order:
-/// no branch depends on it.
+/// Grows the visible region from a facet that the apex sees, in waves: what a wave's neighbours are
+/// that were not met before, and which of them are visible. No branch depends on either. What the
+/// region is cut off by is the horizon. False if the region leaves the range.
 bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   stamp_ += 2;
-  const std::uint32_t is_visible = stamp_;
-  const std::uint32_t is_hidden = stamp_ + 1;
   visible_.room_for(1)[0] = seen;
-  facets_.mark(seen) = is_visible;
-  std::size_t visible_size = 1;
-  std::size_t cut_size = 0;
-  for (std::size_t begin = 0; begin < visible_size;) {
-    const std::size_t end = visible_size;
-    FacetIndex* const visible = visible_.room_for(5 * end + 1);
-    Seen* const sees = sees_.room_for(end);
-    CutRidge* const cut = cut_.room_for(cut_size + 4 * (end - begin) + 1);
-    if (!see_wave(apex, {visible + begin, visible + end}, sees + begin)) return false;
-    for (; begin < end; ++begin) {
-      const FacetIndex f = visible[begin];
-      const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
-      if (sees[begin].unclear != 0) [[unlikely]]
-        decide(apex, f, sees[begin]);
-      const std::uint32_t bits = sees[begin].neighbors;
-      for (std::uint32_t i = 0; i < 4; ++i) {
-        const FacetIndex g = facet_of(neighbors[i]);
-        const std::uint32_t sees_it = bits >> i & 1;
-        const std::uint32_t before = facets_.mark(g);
-        const bool is_new = before < is_visible;
-        const std::uint32_t now = is_new ? is_hidden - sees_it : before;
-        facets_.mark(g) = now;
-        visible[visible_size] = g;
-        visible_size += is_new & sees_it;
-        cut[cut_size] = {ridge(f, i), neighbors[i]};
-        cut_size += now - is_visible;
-      }
+  visible_.hold(1);
+  facets_.mark(seen) = is_visible();
+  for (std::size_t begin = 0; begin < visible_.size();) {
+    const std::span<const FacetIndex> wave = visible_.held().subspan(begin);
+    if (!own_.all() && !std::ranges::all_of(wave, [&](FacetIndex f) { return own(f); })) {
+      return false;
+    }
+    begin = visible_.size();
+    meet_neighbors(wave);
+    sort_met(apex);
+  }
+  cut_out();
+  return true;
+}
+
+/// Lists the neighbours that were not met before, and the first visible facet again until they are
+/// a multiple of four. They count as hidden for now.
+inline void Inserter::meet_neighbors(std::span<const FacetIndex> wave) {
+  FacetIndex* const met = met_.room_for(4 * wave.size() + 4);
+  const std::uint32_t hidden = is_hidden();
+  std::size_t size = 0;
+  for (const FacetIndex f : wave) {
+    const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const FacetIndex g = facet_of(neighbors[i]);
+      const std::uint32_t before = facets_.mark(g);
+      facets_.mark(g) = std::max(before, hidden);
+      met[size] = g;
+      size += before < hidden;
     }
   }
-  visible_.hold(visible_size);
-  horizon_.clear();
-  horizon_.make_room(cut_size);
-  for (std::size_t k = 0; k < cut_size; ++k) horizon_.push(horizon_ridge(cut_[k]));
-  return true;
+  met_.hold(size);
+  for (std::size_t i = 0; i < 3; ++i) met[size + i] = visible_[0];
 }
 
-/// What the apex sees of the neighbours of some facets; false if one is not in the range.
-bool Inserter::see_wave(Site apex, std::span<const FacetIndex> wave, Seen* sees) {
-  if (!own_.all() && !std::ranges::all_of(wave, [&](FacetIndex f) { return own(f); })) return false;
-  for (const FacetIndex f : wave) {
-    for (const Ridge r : facets_.neighbors(f)) facets_.prefetch(facet_of(r));
-  }
+/// Adds those of the met facets that the apex sees to the visible ones.
+inline void Inserter::sort_met(Site apex) {
+  const std::size_t size = met_.size();
+  const std::span<const FacetIndex> met{met_.begin(), (size + 3) & ~std::size_t{3}};
+  Seen* const sees = sees_.room_for(met.size() / 4);
   if (by_four_) {
-    see_neighbors_by_four(facets_, wave, points_[apex], sees);
+    see_by_four(facets_, met, points_[apex], sees);
   } else {
-    see_neighbors(facets_, wave, points_[apex], stamp_, sees);
+    see(facets_, met, points_[apex], sees);
   }
-  return true;
+  std::size_t visible_size = visible_.size();
+  FacetIndex* const visible = visible_.room_for(visible_size + met.size());
+  const std::uint32_t hidden = is_hidden();
+  for (std::size_t k = 0; k < met.size(); k += 4) {
+    if (sees[k / 4].unclear != 0) [[unlikely]]
+      decide(apex, &met[k], sees[k / 4]);
+    const std::uint32_t bits = sees[k / 4].visible;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const FacetIndex g = met[k + i];
+      const std::uint32_t sees_it = bits >> i & 1;
+      facets_.mark(g) = hidden + sees_it;
+      visible[visible_size] = g;
+      visible_size += sees_it;
+    }
+  }
+  // The first one was listed again at the end, as visible as before.
+  visible_.hold(visible_size - (met.size() - size));
 }
 
-/// Settles which of a facet's neighbours the apex sees where that is not clear, nor known.
-void Inserter::decide(Site apex, FacetIndex f, Seen& sees) const {
+/// Settles which of four facets the apex sees where that is not clear.
+void Inserter::decide(Site apex, const FacetIndex* four, Seen& sees) const {
   for (unsigned i = 0; i < 4; ++i) {
-    const FacetIndex g = facet_of(facets_.neighbors(f)[i]);
-    if ((sees.unclear >> i & 1) == 0 || facets_[g].mark >= stamp_) continue;
-    if (facets_.decide(g, apex))
-      sees.neighbors = static_cast<std::uint8_t>(sees.neighbors | 1u << i);
+    if ((sees.unclear >> i & 1) == 0) continue;
+    if (four[i] == visible_[0] || facets_.decide(four[i], apex))
+      sees.visible = static_cast<std::uint8_t>(sees.visible | 1u << i);
   }
+}
+
+/// The horizon: the ridges between a visible facet and a hidden one.
+inline void Inserter::cut_out() {
+  CutRidge* const cut = cut_.room_for(4 * visible_.size() + 1);
+  const std::uint32_t hidden = is_hidden();
+  std::size_t size = 0;
+  for (const FacetIndex f : visible_) {
+    const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      cut[size] = {ridge(f, i), neighbors[i]};
+      size += facets_.mark(facet_of(neighbors[i])) == hidden;
+    }
+  }
+  horizon_.clear();
+  horizon_.make_room(size);
+  for (std::size_t k = 0; k < size; ++k) horizon_.push(horizon_ridge(cut[k]));
 }
 
 void Inserter::collect_orphans(Slot apex) {
@@ -186,18 +214,8 @@ void Inserter::collect_orphans(Slot apex) {
   conflicts_[apex].facet = kNone;
   for (Slot k = 0; k < batch_.size(); ++k) {
     const FacetIndex f = conflicts_[k].facet;
-    if (f != kNone && facets_.mark(f) == stamp_) orphans_.push(k);
+    if (f != kNone && facets_.mark(f) == is_visible()) orphans_.push(k);
   }
-}
-
-/// The number of a corner of the horizon; a new one gets its spoke.
-inline std::uint32_t Inserter::number_of(Site s, Site apex) {
-  Number& n = number_of_[s == kAtInfinity ? points_.size() : s];
-  if (n.stamp != stamp_) {
-    n = {stamp_, static_cast<std::uint32_t>(spokes_.size())};
-    spokes_.push(s == kAtInfinity ? Spoke{} : spoke(points_[s], points_[apex]));
-  }
-  return n.number;
 }
 
 /// A facet for the k-th of the cone: one of the visible ones, which are gone, as long as there are
@@ -211,10 +229,20 @@ inline FacetIndex Inserter::take_facet(std::size_t k) {
 
 /// Replaces the visible facets by one facet per horizon ridge, each with the apex as first corner.
 void Inserter::make_cone(Site apex) {
-  cone_.clear();
-  cone_.make_room(horizon_.size());
-  spokes_.clear();
-  spokes_.make_room(horizon_.size() / 2 + 2);  // by Euler's relation
+  ConeFacet* const cone = cone_.room_for(horizon_.size());
+  Site* const ends = spoke_ends_.room_for(horizon_.size() / 2 + 6);  // by Euler's relation
+  std::uint64_t* const number_of = number_of_.data();
+  const std::uint64_t stamp = stamp_;
+  std::uint64_t count = 0;
+  // The number of a corner of the horizon, a new one if it has none: no branch depends on that.
+  const auto number = [&](Site s) {
+    std::uint64_t& known = number_of[s == kAtInfinity ? points_.size() : s];
+    const bool is_new = known >> 32 != stamp;
+    known = is_new ? stamp << 32 | count : known;
+    ends[count] = s == kAtInfinity ? apex : s;
+    count += is_new;
+    return static_cast<std::uint32_t>(known);
+  };
   for (std::size_t k = 0; k < horizon_.size(); ++k) {
     auto [a, b, c] = horizon_[k].corners;
     const Ridge outer = horizon_[k].outer;
@@ -228,25 +256,36 @@ void Inserter::make_cone(Site apex) {
     facets_.corners(f) = {apex, a, b, c};
     facets_.neighbors(f)[0] = outer;
     facets_.neighbors(facet_of(outer))[corner_of(outer)] = ridge(f, 0);
-    facets_.mark(f) = 0;
-    cone_.push({f, {number_of(a, apex), number_of(b, apex), number_of(c, apex)}});
+    cone[k] = {f, {number(a), number(b), number(c)}};
   }
-  if (by_four_) {
-    set_hyperplanes_by_four(facets_, cone_.held(), spokes_.held());
-  } else {
-    set_hyperplanes(facets_, cone_.held(), spokes_.held());
-  }
+  cone_.hold(horizon_.size());
+  set_geometry(apex, count);
   if (visible_.size() > horizon_.size()) {
     free_.insert(free_.end(), visible_.begin() + horizon_.size(), visible_.end());
   }
-  if (spokes_.size() <= kSmallCone) {
+  if (count <= kSmallCone) {
     link_cone<kSmallCone>();
-  } else if (spokes_.size() <= kLargeCone) {
+  } else if (count <= kLargeCone) {
     link_cone<kLargeCone>();
   } else {
     link_large_cone();
   }
   last_ = cone_[0].facet;
+}
+
+/// The hyperplanes of the cone, which has so many corners besides the apex.
+void Inserter::set_geometry(Site apex, std::size_t corner_count) {
+  const std::size_t padded = (corner_count + 3) & ~std::size_t{3};
+  Site* const ends = spoke_ends_.room_for(padded);
+  for (std::size_t k = corner_count; k < padded; ++k) ends[k] = apex;
+  Spoke* const spokes = spokes_.room_for(padded);
+  if (by_four_) {
+    set_spokes_by_four(points_, apex, {ends, padded}, spokes);
+    set_hyperplanes_by_four(facets_, cone_.held(), {spokes, corner_count});
+  } else {
+    set_spokes(points_, apex, {ends, padded}, spokes);
+    set_hyperplanes(facets_, cone_.held(), {spokes, corner_count});
+  }
 }
 
 /// Each directed edge of the horizon belongs to one ridge, its reverse to the neighbour: a table by

@@ -95,21 +95,26 @@ class Inserter {
   };
 
   bool own(FacetIndex f) const;
+  /// The marks of what the insertion under way has met.
+  std::uint32_t is_hidden() const { return stamp_; }
+  std::uint32_t is_visible() const { return stamp_ + 1; }
   bool insert_farthest(FacetIndex seen);
   // The four steps of Quickhull.
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
-  bool see_wave(Site apex, std::span<const FacetIndex> wave, Seen* sees);
-  void decide(Site apex, FacetIndex f, Seen& sees) const;
+  void meet_neighbors(std::span<const FacetIndex> wave);
+  void sort_met(Site apex);
+  void decide(Site apex, const FacetIndex* four, Seen& sees) const;
+  void cut_out();
   HorizonRidge horizon_ridge(const CutRidge& ridge) const;
   void make_cone(Site apex);
+  void set_geometry(Site apex, std::size_t corner_count);
   void reassign_conflicts();
 
   FacetIndex locate(Site q) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
   void add_conflict(Slot k, FacetIndex f);
   void collect_orphans(Slot apex);
-  std::uint32_t number_of(Site s, Site apex);
   FacetIndex take_facet(std::size_t k);
   template <std::size_t kStride>
   void link_cone();
@@ -127,17 +132,17 @@ class Inserter {
   std::array<Conflict, kBatch> conflicts_{};
   // Of the insertion under way:
   Stack<FacetIndex> visible_;
-  Stack<Seen> sees_;  ///< of the neighbours of each visible facet
+  Stack<FacetIndex> met_;  ///< by the wave under way, for the first time
+  Stack<Seen> sees_;       ///< per four of them
   Stack<CutRidge> cut_;
   Stack<HorizonRidge> horizon_;
   Stack<Slot> orphans_;
-  Stack<ConeFacet> cone_;  ///< per horizon ridge
-  Stack<Spoke> spokes_;    ///< per number, from the apex to the corner
-  struct Number {
-    std::uint32_t stamp;  ///< of the insertion in which it counts
-    std::uint32_t number;
-  };
-  LargeArray<Number> number_of_;   ///< per site and, last, the one at infinity
+  Stack<ConeFacet> cone_;   ///< per horizon ridge
+  Stack<Spoke> spokes_;     ///< per number, from the apex to the corner
+  Stack<Site> spoke_ends_;  ///< the corners' sites
+  /// Per site and, last, the one at infinity: the stamp of the insertion in which it counts, and
+  /// its number.
+  LargeArray<std::uint64_t> number_of_;
   std::vector<Ridge> half_ridge_;  ///< per ordered pair of numbers
 };
 

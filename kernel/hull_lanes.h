@@ -15,18 +15,16 @@ namespace tetsculpt::hull {
 /// Whether this build and this processor can take four at a time.
 bool has_four_lanes();
 
-/// Which of a facet's four neighbours a point sees, a bit each.
+/// Which of four facets a point sees, a bit each.
 struct Seen {
-  std::uint8_t neighbors;  ///< of those that are clear
-  std::uint8_t unclear;    ///< left to Facets::decide
+  std::uint8_t visible;  ///< of those that are clear
+  std::uint8_t unclear;  ///< left to Facets::decide
 };
 
-/// Per facet of a list. Neighbours that are marked with `known` or more may be left out, and their
-/// bits mean nothing.
-void see_neighbors(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
-                   std::uint32_t known, Seen* seen);
-void see_neighbors_by_four(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
-                           Seen* seen);
+/// Per four facets of a list, whose size is a multiple of four.
+void see(const Facets& facets, std::span<const FacetIndex> list, const Point3& q, Seen* seen);
+void see_by_four(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
+                 Seen* seen);
 
 /// Facets::height of a point above a facet's four neighbours.
 struct NeighborHeights {
@@ -41,6 +39,12 @@ struct ConeFacet {
   FacetIndex facet;
   std::array<std::uint32_t, 3> numbers;  ///< of its corners 1 to 3 among the spokes
 };
+
+/// From an apex to corners, whose number is a multiple of four.
+void set_spokes(std::span<const Point3> points, Site apex, std::span<const Site> corners,
+                Spoke* spokes);
+void set_spokes_by_four(std::span<const Point3> points, Site apex, std::span<const Site> corners,
+                        Spoke* spokes);
 
 /// Sets the hyperplanes of a cone's facets. The spokes lead from the apex to the other corners.
 void set_hyperplanes(Facets& facets, std::span<const ConeFacet> cone,

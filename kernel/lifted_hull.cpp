@@ -90,7 +90,6 @@ std::vector<FacetIndex> make_simplex(Facets& facets, const std::array<Site, 4>& 
     }
   }
   for (FacetIndex f = 0; f < 5; ++f) {
-    facets.mark(f) = 0;
     facets.set_hyperplane(f);
   }
   return free;

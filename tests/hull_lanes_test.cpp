@@ -1,6 +1,6 @@
-// Four facets at a time give what one after the other gives, bit for bit: hyperplanes, their
-// errors, what is seen and what is left open. (tests/hull_facets_height_test holds one against
-// exact signs.)
+// Four facets at a time give what one after the other gives, bit for bit: spokes, hyperplanes,
+// their errors, what is seen and what is left open. (tests/hull_facets_height_test holds one
+// against exact signs.)
 #include "kernel/hull_lanes.h"
 
 #include <doctest/doctest.h>
@@ -99,14 +99,16 @@ TEST_CASE("hyperplanes and what a point sees") {
     hull::set_hyperplanes_by_four(scene.facets, scene.cone, scene.spokes);
     wrong_planes += !same_bits(facets_of(scene), expected);
 
-    const std::array<hull::FacetIndex, 1> list{scene.cone.back().facet};
+    const hull::FacetIndex last = scene.cone.back().facet;
+    std::vector<hull::FacetIndex> list;
+    for (const hull::Ridge r : scene.facets.neighbors(last)) list.push_back(hull::facet_of(r));
     hull::Seen one{};
     hull::Seen four{};
-    hull::see_neighbors(scene.facets, list, scene.query(), 1, &one);
-    hull::see_neighbors_by_four(scene.facets, list, scene.query(), &four);
-    wrong_views += one.neighbors != four.neighbors || one.unclear != four.unclear;
+    hull::see(scene.facets, list, scene.query(), &one);
+    hull::see_by_four(scene.facets, list, scene.query(), &four);
+    wrong_views += one.visible != four.visible || one.unclear != four.unclear;
     const auto heights = [&](auto&& of_neighbors) {
-      return of_neighbors(scene.facets, list[0], scene.query());
+      return of_neighbors(scene.facets, last, scene.query());
     };
     const hull::NeighborHeights h1 = heights(hull::neighbor_heights);
     const hull::NeighborHeights h4 = heights(hull::neighbor_heights_by_four);
@@ -116,9 +118,9 @@ TEST_CASE("hyperplanes and what a point sees") {
       if ((one.unclear >> i & 1) == 0) wrong_heights += h1.value[i] != h4.value[i];
     }
     for (int i = 0; i < 4; ++i) {
-      visible += one.neighbors >> i & 1;
+      visible += one.visible >> i & 1;
       unclear += one.unclear >> i & 1;
-      hidden += ((one.neighbors | one.unclear) >> i & 1) == 0;
+      hidden += ((one.visible | one.unclear) >> i & 1) == 0;
     }
   }
   CHECK(wrong_planes == 0);
@@ -127,6 +129,25 @@ TEST_CASE("hyperplanes and what a point sees") {
   CHECK(visible > 5'000);
   CHECK(unclear > 5'000);
   CHECK(hidden > 5'000);
+}
+
+TEST_CASE("spokes") {
+  if (!hull::has_four_lanes()) {
+    MESSAGE("skipped: this processor takes one facet at a time");
+    return;
+  }
+  Random random(12);
+  for (int round = 0; round < 1'000; ++round) {
+    const std::vector<Point3> sites = random_sites(random, 1 + random.below(20));
+    std::vector<hull::Site> corners(4 * (1 + random.below(3)));
+    for (hull::Site& s : corners) s = static_cast<hull::Site>(random.below(sites.size()));
+    const auto apex = static_cast<hull::Site>(random.below(sites.size()));
+    std::vector<hull::Spoke> one(corners.size());
+    std::vector<hull::Spoke> four(corners.size());
+    hull::set_spokes(sites, apex, corners, one.data());
+    hull::set_spokes_by_four(sites, apex, corners, four.data());
+    REQUIRE(std::memcmp(one.data(), four.data(), one.size() * sizeof(hull::Spoke)) == 0);
+  }
 }
 
 TEST_CASE("the same hull") {
