@@ -76,8 +76,8 @@ constexpr auto kTable = [] {
         turns[size++] = turn;
         next = size;
       }
-      table[64 * k + static_cast<std::size_t>(cells)] = static_cast<std::uint16_t>(
-          (next - 1) << 6 | static_cast<std::size_t>(high << 3 | low));
+      table[64 * k + static_cast<std::size_t>(cells)] =
+          static_cast<std::uint16_t>((next - 1) << 6 | static_cast<std::size_t>(high << 3 | low));
     }
   }
   return table;
