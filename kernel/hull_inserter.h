@@ -58,7 +58,7 @@ class Stack {
 class Inserter {
  public:
   /// How many points may be in conflict sets at a time.
-  static constexpr std::size_t kBatch = 16;
+  static constexpr std::size_t kBatch = 2;
 
   /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes().
   Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,

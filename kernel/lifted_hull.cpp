@@ -14,19 +14,25 @@
 // What it brought, hull alone: one cache line per facet, hyperplane, corners and neighbours
 // together, instead of five 15 %; stacks without checks 7 %; rounds of seven times all before
 // instead of once 25 % (a round streams all facets through the cache); batches of 16 instead of
-// whole rounds 25 %; the visible region grown in waves, four neighbours at a time, no branch on
-// which are visible 12 %; hyperplanes by four 5 %; walks to the best of four neighbours instead of
-// the first that is better a fifth (a million points of a torus); no SLP vectorizer (see
-// cmake/targets.cmake) 14 %; buckets of the output sorted by counting 3 %; large pages half (page
-// faults and TLB misses). Without gain: -march=native; the waves without vectors of four (a sixth
-// slower than facet after facet); numbering the horizon and making the cone in two loops or in one,
-// or without a branch on which corners are new; corners numbered by a hash table in the nearest
-// cache instead of an array over all sites.
+// whole rounds 25 %, of 2 instead of 16 another 7 % (volumes and surfaces, 35,000 to a million
+// points; 2 % more on a torus); the visible region grown in waves, four facets at a time, no branch
+// on which are visible 12 %; looking only at those not met before, corners of the cone numbered
+// without a branch and spokes by four 5 %; hyperplanes by four 5 %; walks to the best of four
+// neighbours instead of the first that is better a fifth (a million points of a torus); no SLP
+// vectorizer (see cmake/targets.cmake) 14 %; buckets of the output sorted by counting 3 %; large
+// pages up to half, where small ones are dear (page faults and TLB misses). Without gain:
+// -march=native; the waves in one function with vectors, fewer instructions but longer waits;
+// corners numbered by a hash table in the nearest cache instead of an array over all sites; output
+// by lists per lowest corner, two passes less (half as slow again).
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
 // thread inserts one; what would touch another's facets waits until all are done: 8 % of the points
 // of a cube, but 73 % of a torus and 96 % of a sphere, because the tetrahedra inside have corners
-// everywhere.
+// everywhere. Tried for those: threads in step, each finds out what 16 of its points change and
+// leaves marks without locks, then makes the changes that kept all marks. One in 5,000 met another,
+// but threads waited a fifth of the time for the one with the larger cavities, and what lies
+// between the two halves costs the nearest cache: no faster than one thread on a sphere, slower on
+// a cube.
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
@@ -171,7 +177,7 @@ class Construction {
   /// Calls told(k) now and then, with the number of sites that are in.
   template <class Told>
   void insert(std::span<const Site> sites, Inserter& inserter, Told&& told) const {
-    constexpr std::size_t kReportEvery = 4096 * Inserter::kBatch;
+    constexpr std::size_t kReportEvery = 32768 * Inserter::kBatch;
     for (std::size_t k = 0; k < sites.size(); k += Inserter::kBatch) {
       inserter.insert(sites.subspan(k, std::min(Inserter::kBatch, sites.size() - k)));
       if (k % kReportEvery == 0) told(k);
