@@ -57,28 +57,39 @@ constexpr int take_bits(Turn& turn, int cell) {
   return x << 2 | y << 1 | z;
 }
 
-/// Per turn, numbered as they occur, and two bits of each axis, the higher ones first: 64 times the
-/// turn after them, and six bits of the index.
-constexpr auto kTable = [] {
+/// Per turn, numbered as they occur, and one bit of each axis: 8 times the turn after it, and three
+/// bits of the index.
+constexpr auto kOneBit = [] {
   constexpr std::size_t kTurns = 48;
-  std::array<std::uint16_t, 64 * kTurns> table{};
+  std::array<std::uint16_t, 8 * kTurns> table{};
   std::array<Turn, kTurns> turns{};
   std::array<std::size_t, Turn::kKeys> number{};  // of a turn, and one
   std::size_t size = 1;
   number[turns[0].key()] = size;
   for (std::size_t k = 0; k < size; ++k) {
-    for (int cells = 0; cells < 64; ++cells) {
+    for (int cell = 0; cell < 8; ++cell) {
       Turn turn = turns[k];
-      const int high = take_bits(turn, cells >> 3);
-      const int low = take_bits(turn, cells & 7);
+      const int index = take_bits(turn, cell);
       std::size_t& next = number[turn.key()];
       if (next == 0) {
         turns[size++] = turn;
         next = size;
       }
-      table[64 * k + static_cast<std::size_t>(cells)] =
-          static_cast<std::uint16_t>((next - 1) << 6 | static_cast<std::size_t>(high << 3 | low));
+      table[8 * k + static_cast<std::size_t>(cell)] =
+          static_cast<std::uint16_t>((next - 1) << 3 | static_cast<std::size_t>(index));
     }
+  }
+  return table;
+}();
+
+/// The same for two bits, the higher ones first: 64 times the turn after them, and six bits of the
+/// index.
+constexpr auto kTwoBits = [] {
+  std::array<std::uint16_t, 8 * kOneBit.size()> table{};
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const std::size_t high = kOneBit[k >> 3];
+    const std::size_t low = kOneBit[(high & ~std::size_t{7}) | (k & 7)];
+    table[k] = static_cast<std::uint16_t>(low >> 3 << 6 | (high & 7) << 3 | (low & 7));
   }
   return table;
 }();
@@ -88,7 +99,7 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
   std::uint64_t index = 0;
   std::uint32_t turn = 0;
   for (int shift = 3 * kBitsPerAxis - 6; shift >= 0; shift -= 6) {
-    const std::uint32_t next = kTable[turn | (bits >> shift & 63)];
+    const std::uint32_t next = kTwoBits[turn | (bits >> shift & 63)];
     index = index << 6 | (next & 63);
     turn = next & ~63u;
   }
