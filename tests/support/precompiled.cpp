@@ -1,2 +1,2 @@
-// Holds the precompiled doctest that the tests reuse; test_main.cpp, which implements doctest,
+// Holds the precompiled headers that the tests reuse; test_main.cpp, which implements doctest,
 // can't.
