@@ -9,6 +9,7 @@
 
 #include "kernel/predicates.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_surface.h"
 
 namespace tetsculpt {
@@ -31,7 +32,7 @@ void check_surface(const std::vector<Point3>& points) {
 }
 
 TEST_CASE("uniform noise") {
-  for (const std::size_t n : {2000u, 20000u}) {
+  for (const std::size_t n : testing::some_of<std::size_t>({2000, 20000})) {
     INFO("box of ", n, ", seed 1");
     check_surface(point_sets::uniform_cube(n, 1));
   }

@@ -14,6 +14,7 @@
 #include "sculpt/label_graph.h"
 #include "sculpt/min_cut.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_stages.h"
 
 namespace tetsculpt {
@@ -236,7 +237,7 @@ TEST_CASE("many rounds: going on is the same as starting anew") {
       Random random(kind);
       Costs costs = random_costs(at, random, kind);
       MinCut cut = min_cut(at.graph, costs);
-      for (int round = 0; round < 20; ++round) {
+      for (int round = 0; round < testing::random_cases(20); ++round) {
         INFO("round ", round);
         add_bias(costs, cut, 100, random, kind);
         REQUIRE(cut.solve() == min_cut(at.graph, costs).solve());
