@@ -5,11 +5,11 @@
 // farthest point, find the facets it sees and their horizon, put a cone over the horizon, hand the
 // orphans on.
 //
-// Departures: conflict sets hold one batch of points at a time, neighbours on a Hilbert curve
-// within a round of a biased random order (kernel/insertion_order): a point is then handed on a few
-// times instead of 4 ln n, and the facets in use stay in cache. A batch's points find their first
-// facet by walking down the power of the facets' spheres, from where the last one ended. No point
-// is ever discarded: all lifted points are extreme.
+// Departures: conflict sets hold a batch of two points at a time, neighbours on a Hilbert curve
+// within a round of a biased random order (kernel/insertion_order): a point is then handed on once
+// at most instead of 4 ln n times, and the facets in use stay in cache. A batch's points find their
+// first facet by walking down the power of the facets' spheres, from where the last one ended. No
+// point is ever discarded: all lifted points are extreme.
 //
 // What it brought, hull alone: one cache line per facet, hyperplane, corners and neighbours
 // together, instead of five 15 %; stacks without checks 7 %; rounds of seven times all before
