@@ -53,10 +53,9 @@ class ErrorFactors {
   ErrorFactors(double square, double linear)
       : bits_(rounded_up(square) | rounded_up(linear) >> 16) {}
   /// Of heights that are linear: no square, which none else has.
-  static ErrorFactors only_linear(double linear) { return of_bits(rounded_up(linear) >> 16); }
-  static ErrorFactors of_bits(std::uint32_t bits) {
+  static ErrorFactors only_linear(double linear) {
     ErrorFactors result;
-    result.bits_ = bits;
+    result.bits_ = rounded_up(linear) >> 16;
     return result;
   }
   std::uint32_t bits() const { return bits_; }
@@ -147,15 +146,14 @@ class Facets {
     n.error = error;
     n.mark = 0;
   }
-  /// From what a Facet begins with, as far as its mark.
+  /// From what a Facet begins with, as far as its mark, which must be 0: four doubles.
   void set_hyperplane(FacetIndex f, const void* row) {
+    static_assert(offsetof(Facet, links) == 4 * sizeof(double));
     std::memcpy(static_cast<void*>(&facets_[f]), row, offsetof(Facet, links));
   }
   /// As large as the set, a power of two; and its inverse.
   double reach() const { return reach_; }
   double per_reach() const { return per_reach_; }
-
-  void prefetch(FacetIndex f) const { __builtin_prefetch(&facets_[f]); }
 
   /// The hyperplane's value at q, and by how much it may be wrong.
   struct Height {

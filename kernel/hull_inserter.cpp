@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kSmallCone = 32;
 constexpr std::size_t kLargeCone = 256;
 
+/// The next multiple of four.
+constexpr std::size_t in_fours(std::size_t n) { return (n + 3) & ~std::size_t{3}; }
+
 }  // namespace
 
 Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
@@ -156,7 +159,7 @@ inline void Inserter::meet_neighbors(std::span<const FacetIndex> wave) {
 /// Adds those of the met facets that the apex sees to the visible ones.
 inline void Inserter::sort_met(Site apex) {
   const std::size_t size = met_.size();
-  const std::span<const FacetIndex> met{met_.begin(), (size + 3) & ~std::size_t{3}};
+  const std::span<const FacetIndex> met{met_.begin(), in_fours(size)};
   Seen* const sees = sees_.room_for(met.size() / 4);
   if (by_four_) {
     see_by_four(facets_, met, points_[apex], sees);
@@ -275,7 +278,7 @@ void Inserter::make_cone(Site apex) {
 
 /// The hyperplanes of the cone, which has so many corners besides the apex.
 void Inserter::set_geometry(Site apex, std::size_t corner_count) {
-  const std::size_t padded = (corner_count + 3) & ~std::size_t{3};
+  const std::size_t padded = in_fours(corner_count);
   Site* const ends = spoke_ends_.room_for(padded);
   for (std::size_t k = corner_count; k < padded; ++k) ends[k] = apex;
   Spoke* const spokes = spokes_.room_for(padded);
