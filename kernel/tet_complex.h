@@ -112,8 +112,9 @@ class TetComplex {
     std::array<VertexId, 2> vertices;
     TriangleId triangle;
   };
-  void find_triangles();
-  void find_edges(const std::function<void(double)>& progress);
+  void find_simplices(const std::function<void(double)>& progress);
+  void number_edges(std::span<const std::array<EdgeId, 2>> same,
+                    const LargeArray<std::uint8_t>& odd);
 
   std::size_t finite_count_ = 0;
   LargeArray<std::array<VertexId, 4>> tets_;
