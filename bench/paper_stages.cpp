@@ -11,6 +11,7 @@
 #include "kernel/gabriel.h"
 #include "kernel/large_array.h"
 #include "sculpt/boundary.h"
+#include "sculpt/exposure.h"
 
 namespace tetsculpt::bench {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sculpt/exposure.h"
+
 namespace tetsculpt {
 
 Flags all_finite(const TetComplex& complex) {

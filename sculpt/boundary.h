@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,6 +37,10 @@ class Boundary {
   bool on_boundary(TriangleId t) const { return on_boundary(complex_->facet(t)); }
   bool on_boundary(EdgeId e) const { return edge_on_boundary_[+e]; }
   bool on_boundary(VertexId v) const { return vertex_on_boundary_[+v]; }
+  bool corner_on_boundary(TetId t, int corner) const {
+    return on_boundary(complex_->vertices(t)[static_cast<std::size_t>(corner)]);
+  }
+  bool edge_on_boundary(TetId t, int edge) const { return on_boundary(complex_->edge(t, edge)); }
   /// How many boundary triangles hold the vertex.
   std::size_t triangles_at(VertexId v) const { return triangles_at_vertex_[+v]; }
   /// Vertices that are not on the boundary: all their tetrahedra are solid, or none is.
@@ -68,45 +71,6 @@ class Boundary {
   std::size_t hidden_;
   std::int64_t euler_characteristic_ = 0;
 };
-
-/// How a tetrahedron meets the boundary, and whether the basic rules allow its removal.
-struct Exposure {
-  int faces = 0;  ///< boundary faces
-  bool removable =
-      false;  ///< one face and the opposite vertex hidden, or two and the opposite edge
-  std::uint8_t facets = 0;  ///< on the boundary, as Boundary::faces
-  int opposite_edge =
-      -1;  ///< with two faces: the tetrahedron's edge that joins the other two facets
-
-  bool on_boundary(std::size_t facet) const { return (facets >> facet & 1) != 0; }
-};
-
-/// How many facets of a tetrahedron four bits stand for. (std::popcount is a call where processors
-/// without an instruction for it must do.)
-constexpr int facet_count(unsigned bits) {
-  return static_cast<int>(0x4332322132212110ull >> (4 * bits) & 7);
-}
-
-/// Classifies a tetrahedron by the paper's basic rules (section 3.2), which keep the boundary a
-/// 2-manifold of the same topology: never with three or four boundary faces. The rules are the same
-/// for taking a solid tetrahedron off and for adding one that is not.
-inline Exposure exposure(const Boundary& boundary, TetId t) {
-  const TetComplex& complex = boundary.complex();
-  const unsigned faces = boundary.faces(t);
-  Exposure e{.faces = facet_count(faces), .facets = static_cast<std::uint8_t>(faces)};
-  if (e.faces == 1) {
-    const auto opposite = static_cast<std::size_t>(std::countr_zero(faces));
-    e.removable = !boundary.on_boundary(complex.vertices(t)[opposite]);
-  } else if (e.faces == 2) {
-    // Facets i and j are opposite corners i and j: their common edge joins the other two corners,
-    // and the edge opposite to it joins i and j.
-    const auto i = static_cast<std::size_t>(std::countr_zero(faces));
-    const auto j = static_cast<std::size_t>(std::countr_zero(faces & (faces - 1)));
-    e.opposite_edge = kEdgeOfCorners[i][j];
-    e.removable = !boundary.on_boundary(complex.edge(t, e.opposite_edge));
-  }
-  return e;
-}
 
 /// The boundary triangles of a set of tetrahedra, counterclockwise from outside the solid, in the
 /// order of the tetrahedra.

@@ -4,6 +4,7 @@
 #include <queue>
 #include <vector>
 
+#include "sculpt/exposure.h"
 #include "sculpt/priority.h"
 
 namespace tetsculpt {
@@ -56,7 +57,8 @@ void deform_towards(Boundary& boundary, const Circumspheres& spheres, const Flag
   const TetComplex& complex = boundary.complex();
   const double sign = order == FlipOrder::kSmallestFirst ? 1 : -1;
   const auto later = [&](const Entry& a, const Entry& b) {
-    return a.key != b.key ? a.key > b.key : corners_less(complex, b.tet, a.tet);
+    return a.key != b.key ? a.key > b.key
+                          : corners_less(complex.vertices(b.tet), complex.vertices(a.tet));
   };
   std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
   const auto push = [&](TetId t) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernel/split_mix.h"
+#include "sculpt/exposure.h"
 
 namespace tetsculpt {
 namespace {

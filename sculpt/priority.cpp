@@ -22,31 +22,15 @@ Vec from(const Point3& a, const Point3& b) { return {b.x - a.x, b.y - a.y, b.z -
 
 double length(const Vec& a) { return std::sqrt(dot(a, a)); }
 
-/// The edges of each set of facets; the first one again where they are less than six: no branch
-/// depends on how many they are. For no facets, any.
-constexpr std::array<std::array<std::uint8_t, 6>, 16> kEdgesOfFacets = [] {
-  std::array<std::array<std::uint8_t, 6>, 16> table{};
-  for (unsigned facets = 1; facets < 16; ++facets) {
-    std::size_t count = 0;
-    for (std::uint8_t k = 0; k < 6; ++k) {
-      // An edge lies on the two facets opposite the corners that it does not touch.
-      const auto [i, j] = kEdgeCorners[5 - k];
-      if ((facets >> i & 1) != 0 || (facets >> j & 1) != 0) table[facets][count++] = k;
-    }
-    for (; count < 6; ++count) table[facets][count] = table[facets][0];
-  }
-  return table;
-}();
-
 /// A tetrahedron's corners in lexicographic order, with the facet opposite each.
 struct SortedTet {
   std::array<const Point3*, 4> point;
   std::array<bool, 4> facet_on_boundary;
 };
 
-SortedTet sorted(const TetComplex& complex, std::span<const Point3> points, TetId t,
+SortedTet sorted(const ManifoldSolid& solid, std::span<const Point3> points, TetId t,
                  const Exposure& exposure) {
-  const auto& v = complex.vertices(t);
+  const auto& v = solid.vertices(t);
   std::array<std::size_t, 4> order{0, 1, 2, 3};
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return v[i] < v[j]; });
   SortedTet tet;
@@ -88,16 +72,6 @@ Vec circumcentre(const SortedTet& tet) {
 
 }  // namespace
 
-Priority::Priority(Criterion criterion, std::span<const Point3> points, const TetComplex& complex)
-    : criterion_(criterion), points_(points), complex_(&complex) {
-  if (!is_by_rank(criterion)) return;
-  rank_of_edge_.resize(complex.edge_count());
-  std::uint32_t rank = 0;
-  for (const EdgeId e : edges_by_length(points, complex, Flags(complex.edge_count(), 1))) {
-    rank_of_edge_[+e] = rank++;
-  }
-}
-
 double Priority::key(TetId t, const Exposure& exposure) const {
   switch (criterion_) {
     case Criterion::kMinimalArea:
@@ -108,19 +82,11 @@ double Priority::key(TetId t, const Exposure& exposure) const {
     case Criterion::kConstrained:
       break;
   }
-  return -static_cast<double>(longest_edge_rank(t, exposure));
-}
-
-std::uint32_t Priority::longest_edge_rank(TetId t, const Exposure& exposure) const {
-  std::uint32_t longest = 0;
-  for (const std::uint8_t k : kEdgesOfFacets[exposure.facets]) {
-    longest = std::max(longest, rank_of_edge_[+complex_->edge(t, k)]);
-  }
-  return longest;
+  return -static_cast<double>(solid_->longest_rank(t, exposure.facets));
 }
 
 double Priority::area_change(TetId t, const Exposure& exposure) const {
-  const SortedTet tet = sorted(*complex_, points_, t, exposure);
+  const SortedTet tet = sorted(*solid_, points_, t, exposure);
   double change = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const double a = area(facet(tet, i));
@@ -130,7 +96,7 @@ double Priority::area_change(TetId t, const Exposure& exposure) const {
 }
 
 double Priority::gamma(TetId t, const Exposure& exposure) const {
-  const SortedTet tet = sorted(*complex_, points_, t, exposure);
+  const SortedTet tet = sorted(*solid_, points_, t, exposure);
   const Vec centre = circumcentre(tet);
   const double tet_radius = length(centre);
   double smallest = 2;
@@ -148,12 +114,12 @@ double Priority::gamma(TetId t, const Exposure& exposure) const {
   return smallest;
 }
 
-bool corners_less(const TetComplex& complex, TetId a, TetId b) {
-  std::array<VertexId, 4> p = complex.vertices(a);
-  std::array<VertexId, 4> q = complex.vertices(b);
-  std::sort(p.begin(), p.end());
-  std::sort(q.begin(), q.end());
-  return p < q;
+bool corners_less(const std::array<VertexId, 4>& a, const std::array<VertexId, 4>& b) {
+  // The last two alone need not be in ascending order.
+  const auto ascending = [](const std::array<VertexId, 4>& v) {
+    return std::array{v[0], v[1], std::min(v[2], v[3]), std::max(v[2], v[3])};
+  };
+  return ascending(a) < ascending(b);
 }
 
 }  // namespace tetsculpt

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <span>
-#include <vector>
 
 #include "kernel/point.h"
-#include "kernel/tet_complex.h"
-#include "sculpt/boundary.h"
+#include "sculpt/exposure.h"
+#include "sculpt/manifold_solid.h"
 
 /// In which order removable tetrahedra go: the four criteria of the paper's Figure 6.
 namespace tetsculpt {
@@ -28,12 +27,12 @@ constexpr bool is_by_rank(Criterion criterion) {
 /// and gamma-indicators are doubles computed from vertices in lexicographic order.
 class Priority {
  public:
-  Priority(Criterion criterion, std::span<const Point3> points, const TetComplex& complex);
+  /// Keeps references to the solid and the points, which must outlive it.
+  Priority(Criterion criterion, std::span<const Point3> points, const ManifoldSolid& solid)
+      : criterion_(criterion), points_(points), solid_(&solid) {}
 
   /// Key of a tetrahedron with these boundary faces. Precondition: it has one or two.
   double key(TetId t, const Exposure& exposure) const;
-  /// Rank of the tetrahedron's longest edge on its boundary faces (longest-edge criteria only).
-  std::uint32_t longest_edge_rank(TetId t, const Exposure& exposure) const;
 
  private:
   double area_change(TetId t, const Exposure& exposure) const;
@@ -41,11 +40,11 @@ class Priority {
 
   Criterion criterion_;
   std::span<const Point3> points_;
-  const TetComplex* complex_;
-  std::vector<std::uint32_t> rank_of_edge_;
+  const ManifoldSolid* solid_;
 };
 
-/// True if a's corners come before b's in lexicographic order: breaks ties between equal keys.
-bool corners_less(const TetComplex& complex, TetId a, TetId b);
+/// Are a's corners, as a complex has them, before b's in lexicographic order? Breaks ties between
+/// equal keys.
+bool corners_less(const std::array<VertexId, 4>& a, const std::array<VertexId, 4>& b);
 
 }  // namespace tetsculpt

@@ -3,9 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "kernel/edge_order.h"
 #include "kernel/ids.h"
-#include "sculpt/boundary.h"
+#include "sculpt/manifold_solid.h"
 
 /// The paper's pseudo-prisms: what is removed to open a hole (section 3.2, Figures 4 and 5).
 namespace tetsculpt {
@@ -21,13 +20,11 @@ struct PseudoPrism {
   std::array<TetId, 3> tets;
 };
 
-/// The pseudo-prisms one of whose bases is facet `corner` of t, with a coastal edge among the
-/// flagged ones.  Precondition: t is solid and that facet is on the boundary. At most six.
-std::vector<PseudoPrism> pseudo_prisms(const Boundary& boundary, TetId t, int corner,
-                                       const Flags& flagged_edges);
+/// The pseudo-prisms one of whose bases is facet `corner` of t, with a coastal edge in the EMST.
+/// Precondition: t is solid and that facet is on the boundary. At most six.
+std::vector<PseudoPrism> pseudo_prisms(const ManifoldSolid& solid, TetId t, int corner);
 
 /// True if the chain still is a pseudo-prism as described above.
-bool is_pseudo_prism(const Boundary& boundary, const PseudoPrism& prism,
-                     const Flags& flagged_edges);
+bool is_pseudo_prism(const ManifoldSolid& solid, const PseudoPrism& prism);
 
 }  // namespace tetsculpt

@@ -11,6 +11,7 @@
 #include "kernel/first_simplex.h"
 #include "kernel/gabriel.h"
 #include "kernel/large_array.h"
+#include "sculpt/boundary.h"
 #include "sculpt/kept.h"
 #include "sculpt/record.h"
 #include "sculpt/sculpt_guided.h"

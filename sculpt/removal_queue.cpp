@@ -1,57 +1,73 @@
 #include "sculpt/removal_queue.h"
 
+#include <algorithm>
+#include <bit>
 #include <cassert>
+#include <utility>
 
 namespace tetsculpt {
 
-RankQueue::RankQueue(const TetComplex& complex, std::size_t ranks)
-    : complex_(&complex), ranks_(ranks), first_(2 * ranks, kNone) {
-  std::size_t count = first_.size();
-  for (auto& level : bits_) {
+RankQueue::RankQueue(const ManifoldSolid& solid, std::size_t ranks)
+    : solid_(&solid), ranks_(ranks), lists_(2 * ranks) {
+  std::size_t count = lists_.size();
+  do {
     count = (count + 63) / 64;
-    level.assign(count, 0);
+    bits_.emplace_back(count, 0);
+  } while (count > 1);
+}
+
+std::uint32_t RankQueue::take_place() {
+  if (free_ == kNone) {
+    more_.emplace_back();
+    return static_cast<std::uint32_t>(more_.size() - 1);
   }
-  assert(count <= 1);
+  return std::exchange(free_, more_[free_].next);
 }
 
 void RankQueue::push(const RemovalEntry& entry) {
   const std::size_t list = list_of(entry.key);
-  std::uint32_t item = free_;
-  if (item == kNone) {
-    item = static_cast<std::uint32_t>(items_.size());
-    items_.emplace_back();
+  std::uint32_t next = kNone;
+  if (marked(list)) {
+    next = take_place();
+    more_[next] = lists_[list];
   } else {
-    free_ = items_[item].next;
+    mark(list);
+    first_list_ = size_ == 0 ? list : std::max(first_list_, list);
   }
-  mark(list);  // whether it is already is known later than this is done
-  items_[item] = {entry.tet, first_[list]};
-  first_[list] = item;
+  lists_[list] = {entry.tet, next};
   ++size_;
 }
 
 RemovalEntry RankQueue::pop() {
   assert(!empty());
-  const std::size_t list = first_list();
-  std::uint32_t* least = &first_[list];
-  for (std::uint32_t* link = &items_[*least].next; *link != kNone; link = &items_[*link].next) {
-    if (corners_less(*complex_, items_[*link].tet, items_[*least].tet)) least = link;
+  const std::size_t list = first_list_;
+  Item& first = lists_[list];
+  Item* least = &first;
+  for (std::uint32_t i = first.next; i != kNone; i = more_[i].next) {
+    if (corners_less(solid_->vertices(more_[i].tet), solid_->vertices(least->tet)))
+      least = &more_[i];
   }
-  const std::uint32_t item = *least;
-  *least = items_[item].next;
-  items_[item].next = free_;
-  free_ = item;
-  if (first_[list] == kNone) unmark(list);
+  const TetId tet = std::exchange(least->tet, first.tet);  // a list has no order
+  const std::uint32_t next = first.next;
   --size_;
-  return {key_of(list), items_[item].tet};
+  if (next == kNone) {
+    unmark(list);
+    if (!empty()) first_list_ = highest_marked();
+    __builtin_prefetch(&lists_[first_list_]);
+  } else {
+    first = more_[next];
+    more_[next].next = std::exchange(free_, next);
+  }
+  return {key_of(list), tet};
 }
 
 void RankQueue::clear() {
   while (!empty()) pop();
 }
 
-std::size_t RankQueue::first_list() const {
+std::size_t RankQueue::highest_marked() const {
   std::size_t at = 0;
-  for (std::size_t level = kLevels; level-- > 0;) {
+  for (std::size_t level = bits_.size(); level-- > 0;) {
     at = 64 * at + 63 - static_cast<std::size_t>(std::countl_zero(bits_[level][at]));
   }
   return at;

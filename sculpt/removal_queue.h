@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <queue>
@@ -26,7 +24,7 @@ inline constexpr double kBehindAll = 0x1p40;
 class KeyQueue {
  public:
   /// Made as a RankQueue is.
-  KeyQueue(const TetComplex& complex, std::size_t) : heap_(Later{&complex}) {}
+  KeyQueue(const ManifoldSolid& solid, std::size_t) : heap_(Later{&solid}) {}
 
   bool empty() const { return heap_.empty(); }
   void push(const RemovalEntry& entry) { heap_.push(entry); }
@@ -38,12 +36,14 @@ class KeyQueue {
   void clear() {
     while (!empty()) heap_.pop();
   }
+  TetId next() const { return heap_.top().tet; }
 
  private:
   struct Later {
-    const TetComplex* complex;
+    const ManifoldSolid* solid;
     bool operator()(const RemovalEntry& a, const RemovalEntry& b) const {
-      return a.key != b.key ? a.key > b.key : corners_less(*complex, b.tet, a.tet);
+      return a.key != b.key ? a.key > b.key
+                            : corners_less(solid->vertices(b.tet), solid->vertices(a.tet));
     }
   };
   std::priority_queue<RemovalEntry, std::vector<RemovalEntry>, Later> heap_;
@@ -53,17 +53,18 @@ class KeyQueue {
 /// of bits for which lists are not empty. A push or pop takes a few steps, whatever the size.
 class RankQueue {
  public:
-  RankQueue(const TetComplex& complex, std::size_t ranks);
+  RankQueue(const ManifoldSolid& solid, std::size_t ranks);
 
   bool empty() const { return size_ == 0; }
   void push(const RemovalEntry& entry);
   RemovalEntry pop();
   void clear();
+  /// Probably the next to be popped. Precondition: not empty.
+  TetId next() const { return lists_[first_list_].tet; }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// 64^6 lists: more than twice as many as edges can have ids.
-  static constexpr std::size_t kLevels = 6;
+  /// Most lists hold one item, so the first is in the table itself.
   struct Item {
     TetId tet;
     std::uint32_t next;
@@ -78,17 +79,22 @@ class RankQueue {
     return list >= ranks_ ? static_cast<double>(ranks_) - static_cast<double>(list)
                           : kBehindAll - static_cast<double>(list);
   }
-  std::size_t first_list() const;
+  /// Is the list not empty? Told by what is in the nearest caches, unlike the list itself.
+  bool marked(std::size_t list) const { return (bits_[0][list / 64] >> (list % 64) & 1) != 0; }
+  std::size_t highest_marked() const;
   void mark(std::size_t list);
   void unmark(std::size_t list);
+  /// Room for an item that is not the first of its list.
+  std::uint32_t take_place();
 
-  const TetComplex* complex_;
+  const ManifoldSolid* solid_;
   std::size_t ranks_;
   std::size_t size_ = 0;
-  LargeArray<std::uint32_t> first_;  ///< per list
-  std::vector<Item> items_;
-  std::uint32_t free_ = kNone;                            ///< list of items that hold nothing
-  std::array<std::vector<std::uint64_t>, kLevels> bits_;  ///< a level has one bit per word below
+  std::size_t first_list_ = 0;  ///< the highest that is not empty
+  LargeArray<Item> lists_;      ///< the first item of each, if it is marked
+  std::vector<Item> more_;
+  std::uint32_t free_ = kNone;                    ///< list of places in more_ that hold nothing
+  std::vector<std::vector<std::uint64_t>> bits_;  ///< a level has one bit per word below
 };
 
 }  // namespace tetsculpt

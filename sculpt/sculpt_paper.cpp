@@ -15,17 +15,19 @@
 // round again looks only at what is new: an entry that was not removable can only become so by such
 // a change. One that was touched again later waits until then.
 //
-// What it costs is memory: a removal goes to a dozen places that no cache is near to, one of which
-// leads to the next. Without gain: a cache line for all that is known of a tetrahedron, and the
-// graphs take a third more; the neighbours of what is pushed, or the next of the queue, on their
-// way to the cache ahead.
+// What it costs is memory: places that no cache is near to, one of which leads to the next. Three
+// things took a third off, on 65,536 points of a bumpy sphere: all that is known of a tetrahedron
+// in one line of the cache (sculpt/manifold_solid); the next of the queue and its neighbours on
+// their way there ahead; and the log begun anew after the first step, in the order of memory,
+// because each other step reads all of it, and most entries are out of date by then. Without gain:
+// to look further ahead than the next of the queue.
 #include "sculpt/sculpt_paper.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
-#include "sculpt/boundary.h"
+#include "sculpt/manifold_solid.h"
 #include "sculpt/pseudo_prism.h"
 #include "sculpt/removal_queue.h"
 
@@ -34,36 +36,22 @@ namespace {
 
 enum class Step { kUnconstrained, kConstrained, kEghLifted, kAllLifted, kExposeTree };
 constexpr std::size_t kSteps = 5;
-
-/// Per tetrahedron, which of its facets are flagged triangles, a bit each: a look needs no
-/// triangle's id.
-Flags facets_of(const Flags& triangles, const TetComplex& complex) {
-  Flags facets(complex.tet_count(), 0);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (!triangles[t]) continue;
-    const Facet f = complex.facet(TriangleId{t});
-    for (const auto& [tet, corner] : {f, complex.across(f.tet, f.corner)}) {
-      facets[+tet] = static_cast<std::uint8_t>(facets[+tet] | 1u << corner);
-    }
-  }
-  return facets;
-}
+/// How far ahead of the place in the log memory is asked for.
+constexpr std::size_t kAhead = 16;
 
 template <class Queue>
 class PaperSculptor {
  public:
   PaperSculptor(std::span<const Point3> points, const TetComplex& complex,
                 const Constraints& constraints, const PaperOptions& options)
-      : complex_(complex),
-        constraints_(constraints),
-        options_(options),
-        boundary_(complex),
-        priority_(options.criterion, points, complex),
-        queue_(complex, complex.edge_count()),
-        egh_facets_(facets_of(constraints.egh_triangles, complex)),
-        last_touch_(complex.tet_count(), 0) {
-    for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
-      if (faces(TetId{t}) != 0) touch(TetId{t});
+      : options_(options),
+        solid_(points, complex, constraints),
+        priority_(options.criterion, points, solid_),
+        queue_(solid_, complex.edge_count()) {
+    // At first the boundary is what the infinite tetrahedra touch.
+    for (std::size_t t = complex.finite_tet_count(); t < complex.tet_count(); ++t) {
+      const TetId outside{static_cast<std::uint32_t>(t)};
+      touch(complex.neighbor(outside, corner_of(complex.vertices(outside), kInfinite)));
     }
   }
 
@@ -78,12 +66,12 @@ class PaperSculptor {
   /// How t meets the boundary, counted as one look.
   Exposure look(TetId t) {
     ++out_.work.looks;
-    return exposure(boundary_, t);
+    return exposure(solid_, t);
   }
   /// Its facets on the boundary, as bits; a look, too.
   unsigned faces(TetId t) {
     ++out_.work.looks;
-    return boundary_.faces(t);
+    return solid_.faces(t);
   }
   void run_step(Step step);
   bool current(Step step, const RemovalEntry& entry);
@@ -94,24 +82,21 @@ class PaperSculptor {
   double key(Step step, TetId t, const Exposure& e) const;
   void push(Step step, TetId t);
   void push_touched(Step step);
+  void restart_log();
   void touch(TetId t);
-  bool is_last_touch(std::size_t k) const { return last_touch_[+touched_[k]] == k; }
-  void remove(TetId t);
+  bool is_last_touch(std::size_t k) const { return solid_.note(touched_[k]) == k; }
+  void note_removal(TetId t);
   bool open_hole();
   void find_prisms();
   bool before(const PrismEntry& a, const PrismEntry& b) const;
   std::uint32_t prism_rank(const PseudoPrism& prism);
 
-  const TetComplex& complex_;
-  const Constraints& constraints_;
   const PaperOptions& options_;
-  Boundary boundary_;
+  ManifoldSolid solid_;  ///< its note of a tetrahedron is the last place in the log
   Priority priority_;
   Queue queue_;
-  std::vector<PrismEntry> prisms_;        ///< a heap by before()
-  std::vector<TetId> touched_;            ///< log: their boundary faces changed
-  Flags egh_facets_;                      ///< per tetrahedron, its triangles of the EGH, a bit each
-  LargeArray<std::uint32_t> last_touch_;  ///< per tetrahedron, its last place in the log
+  std::vector<PrismEntry> prisms_;          ///< a heap by before()
+  std::vector<TetId> touched_;              ///< log: their boundary faces changed
   std::array<std::size_t, kSteps> seen_{};  ///< per step, how much of the log it has seen
   std::size_t seen_by_prisms_ = 0;
   Sculpture out_;
@@ -122,9 +107,11 @@ Sculpture PaperSculptor<Queue>::run() {
   if (options_.criterion != Criterion::kConstrained) {
     run_step(Step::kUnconstrained);
   } else {
+    run_step(Step::kConstrained);
+    restart_log();
     do {
       run_step(Step::kConstrained);
-      if (boundary_.hidden_count() > 0) {
+      if (solid_.hidden_count() > 0) {
         run_step(Step::kEghLifted);
         run_step(Step::kAllLifted);
         run_step(Step::kConstrained);
@@ -132,32 +119,37 @@ Sculpture PaperSculptor<Queue>::run() {
       run_step(Step::kExposeTree);
     } while (open_hole());
   }
-  out_.solid = boundary_.solid();
-  out_.hidden = boundary_.hidden_vertices();
+  out_.solid = solid_.solid();
+  out_.hidden = solid_.hidden_vertices();
   return std::move(out_);
 }
 
 /// Removes what the step allows, in the order of its queue, until nothing is left or it is done.
 template <class Queue>
 void PaperSculptor<Queue>::run_step(Step step) {
+  if (done(step)) return;
   queue_.clear();
   push_touched(step);
-  while (!queue_.empty() && !done(step)) {
+  while (!done(step) && !queue_.empty()) {
     const RemovalEntry entry = queue_.pop();
+    solid_.prefetch_neighbors(entry.tet);
     ++out_.work.pops;
     if (!current(step, entry)) {
       ++out_.work.stale;
       continue;
     }
-    remove(entry.tet);
+    solid_.remove(entry.tet, [&](TetId changed) { touch(changed); });
+    note_removal(entry.tet);
+    if (!queue_.empty()) solid_.prefetch(queue_.next());
     push_touched(step);
+    if (!queue_.empty()) solid_.prefetch_neighbors(queue_.next());
   }
 }
 
 /// Would the entry be pushed again as it is?
 template <class Queue>
 bool PaperSculptor<Queue>::current(Step step, const RemovalEntry& entry) {
-  if (!boundary_.solid(entry.tet)) return false;
+  if (!solid_.solid(entry.tet)) return false;
   const Exposure e = look(entry.tet);
   return allowed(step, entry.tet, e) && key(step, entry.tet, e) == entry.key;
 }
@@ -166,11 +158,11 @@ template <class Queue>
 bool PaperSculptor<Queue>::done(Step step) const {
   switch (step) {
     case Step::kConstrained:
-      return options_.stop == PaperOptions::Stop::kAllExposed && boundary_.hidden_count() == 0;
+      return options_.stop == PaperOptions::Stop::kAllExposed && solid_.hidden_count() == 0;
     case Step::kExposeTree:
       return false;
     default:
-      return boundary_.hidden_count() == 0;
+      return solid_.hidden_count() == 0;
   }
 }
 
@@ -179,7 +171,7 @@ bool PaperSculptor<Queue>::allowed(Step step, TetId t, const Exposure& e) const 
   if (!e.removable) return false;
   switch (step) {
     case Step::kConstrained:
-      return (egh_facets_[+t] & e.facets) == 0 && !common_edge_in_tree(t, e);
+      return (solid_.egh_facets(t) & e.facets) == 0 && !common_edge_in_tree(t, e);
     case Step::kEghLifted:
       return !common_edge_in_tree(t, e);
     case Step::kExposeTree:
@@ -192,7 +184,7 @@ bool PaperSculptor<Queue>::allowed(Step step, TetId t, const Exposure& e) const 
 /// With two boundary faces, is their common edge in the EMST?
 template <class Queue>
 bool PaperSculptor<Queue>::common_edge_in_tree(TetId t, const Exposure& e) const {
-  return e.faces == 2 && constraints_.emst_edges[+complex_.edge(t, 5 - e.opposite_edge)];
+  return e.faces == 2 && solid_.in_emst(t, 5 - e.opposite_edge);
 }
 
 /// Would the removal of t bring an edge of the EMST to the boundary?
@@ -202,8 +194,7 @@ bool PaperSculptor<Queue>::exposes_tree_edge(TetId t, const Exposure& e) const {
     // An edge comes out with the removal if it is on none of the boundary faces.
     const auto [i, j] = kEdgeCorners[static_cast<std::size_t>(5 - k)];
     if (e.on_boundary(i) || e.on_boundary(j)) continue;
-    const EdgeId edge = complex_.edge(t, k);
-    if (constraints_.emst_edges[+edge] && !boundary_.on_boundary(edge)) return true;
+    if (solid_.in_emst(t, k) && !solid_.edge_on_boundary(t, k)) return true;
   }
   return false;
 }
@@ -216,7 +207,7 @@ double PaperSculptor<Queue>::key(Step step, TetId t, const Exposure& e) const {
 
 template <class Queue>
 void PaperSculptor<Queue>::push(Step step, TetId t) {
-  if (!boundary_.solid(t)) return;
+  if (!solid_.solid(t)) return;
   const Exposure e = look(t);
   if (!allowed(step, t, e)) return;
   queue_.push({key(step, t, e), t});
@@ -227,28 +218,34 @@ template <class Queue>
 void PaperSculptor<Queue>::push_touched(Step step) {
   std::size_t& seen = seen_[static_cast<std::size_t>(step)];
   for (; seen < touched_.size(); ++seen) {
+    if (seen + kAhead < touched_.size()) solid_.prefetch(touched_[seen + kAhead]);
     if (is_last_touch(seen)) push(step, touched_[seen]);
   }
 }
 
+/// Begins the log anew with what the steps other than the first have to look at: all that has
+/// boundary faces, in the order of memory. Precondition: they have not begun.
+template <class Queue>
+void PaperSculptor<Queue>::restart_log() {
+  touched_.clear();
+  for (std::uint32_t t = 0; t < solid_.complex().finite_tet_count(); ++t) {
+    if (solid_.solid(TetId{t}) && solid_.faces(TetId{t}) != 0) touch(TetId{t});
+  }
+  seen_[static_cast<std::size_t>(Step::kConstrained)] = touched_.size();
+}
+
 template <class Queue>
 void PaperSculptor<Queue>::touch(TetId t) {
-  last_touch_[+t] = static_cast<std::uint32_t>(touched_.size());
+  solid_.note(t) = static_cast<std::uint32_t>(touched_.size());
   touched_.push_back(t);
 }
 
 template <class Queue>
-void PaperSculptor<Queue>::remove(TetId t) {
-  for (int i = 0; i < 4; ++i) complex_.prefetch(complex_.neighbor(t, i));
-  boundary_.remove(t);
+void PaperSculptor<Queue>::note_removal(TetId t) {
   out_.removed.push_back(t);
-  for (int i = 0; i < 4; ++i) {
-    const TetId u = complex_.neighbor(t, i);
-    if (boundary_.solid(u)) touch(u);
-  }
   if (options_.progress && (out_.removed.size() & 0xffff) == 0) {
-    options_.progress(1 - static_cast<double>(boundary_.hidden_count()) /
-                              static_cast<double>(complex_.vertex_count()));
+    options_.progress(1 - static_cast<double>(solid_.hidden_count()) /
+                              static_cast<double>(solid_.complex().vertex_count()));
   }
 }
 
@@ -261,9 +258,10 @@ bool PaperSculptor<Queue>::open_hole() {
     std::pop_heap(prisms_.begin(), prisms_.end(), later);
     const PseudoPrism prism = prisms_.back().prism;
     prisms_.pop_back();
-    if (!is_pseudo_prism(boundary_, prism, constraints_.emst_edges)) continue;
+    if (!is_pseudo_prism(solid_, prism)) continue;
     out_.holes.push_back(out_.removed.size());
-    for (const TetId t : prism.tets) remove(t);
+    solid_.remove_prism(prism.tets, [&](TetId changed) { touch(changed); });
+    for (const TetId t : prism.tets) note_removal(t);
     return true;
   }
   return false;
@@ -276,11 +274,11 @@ void PaperSculptor<Queue>::find_prisms() {
   const auto later = [&](const PrismEntry& a, const PrismEntry& b) { return before(b, a); };
   for (; seen_by_prisms_ < touched_.size(); ++seen_by_prisms_) {
     const TetId t = touched_[seen_by_prisms_];
-    if (!boundary_.solid(t) || !is_last_touch(seen_by_prisms_)) continue;
+    if (!solid_.solid(t) || !is_last_touch(seen_by_prisms_)) continue;
     for (unsigned left = faces(t); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
       ++out_.work.bases;
-      for (const PseudoPrism& prism : pseudo_prisms(boundary_, t, i, constraints_.emst_edges)) {
+      for (const PseudoPrism& prism : pseudo_prisms(solid_, t, i)) {
         prisms_.push_back({prism_rank(prism), prism});
         ++out_.work.prisms;
         std::push_heap(prisms_.begin(), prisms_.end(), later);
@@ -293,7 +291,7 @@ template <class Queue>
 std::uint32_t PaperSculptor<Queue>::prism_rank(const PseudoPrism& prism) {
   std::uint32_t rank = 0;
   for (const TetId t : {prism.tets[0], prism.tets[2]}) {
-    rank = std::max(rank, priority_.longest_edge_rank(t, look(t)));
+    rank = std::max(rank, solid_.longest_rank(t, faces(t)));
   }
   return rank;
 }
@@ -303,14 +301,17 @@ std::uint32_t PaperSculptor<Queue>::prism_rank(const PseudoPrism& prism) {
 template <class Queue>
 bool PaperSculptor<Queue>::before(const PrismEntry& a, const PrismEntry& b) const {
   if (a.rank != b.rank) return a.rank > b.rank;
+  const auto less = [&](TetId t, TetId u) {
+    return corners_less(solid_.vertices(t), solid_.vertices(u));
+  };
   const auto ordered = [&](PseudoPrism p) {
-    if (corners_less(complex_, p.tets[2], p.tets[0])) std::swap(p.tets[0], p.tets[2]);
+    if (less(p.tets[2], p.tets[0])) std::swap(p.tets[0], p.tets[2]);
     return p;
   };
   const PseudoPrism p = ordered(a.prism);
   const PseudoPrism q = ordered(b.prism);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (p.tets[i] != q.tets[i]) return corners_less(complex_, p.tets[i], q.tets[i]);
+    if (p.tets[i] != q.tets[i]) return less(p.tets[i], q.tets[i]);
   }
   return false;
 }

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "kernel/edge_order.h"
 #include "kernel/point.h"
 #include "kernel/tet_complex.h"
+#include "sculpt/constraints.h"
 #include "sculpt/priority.h"
 #include "sculpt/sculpture.h"
 
@@ -21,12 +21,6 @@ struct PaperOptions {
   /// Told now and then which share of the vertices is on the boundary, from 0 to 1. May throw: that
   /// cancels, and the exception passes through.
   std::function<void(double)> progress = {};
-};
-
-/// What holds the sculptor back (criterion kConstrained only).
-struct Constraints {
-  Flags egh_triangles;  ///< per triangle of the complex; see kernel/gabriel.h
-  Flags emst_edges;     ///< per edge of the complex; see kernel/emst.h
 };
 
 /// Takes tetrahedra off the Delaunay complex until its boundary is the surface. The boundary stays

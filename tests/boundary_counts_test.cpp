@@ -11,6 +11,7 @@
 
 #include "kernel/predicates.h"
 #include "sculpt/boundary.h"
+#include "sculpt/exposure.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_rules.h"
 #include "tests/support/sculpt_stages.h"

@@ -9,6 +9,7 @@
 #include "sculpt/boundary.h"
 #include "sculpt/circumspheres.h"
 #include "sculpt/deform.h"
+#include "sculpt/exposure.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_stages.h"
 

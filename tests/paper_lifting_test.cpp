@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sculpt/boundary.h"
+#include "sculpt/exposure.h"
 #include "sculpt/priority.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/sculpt_rules.h"
@@ -29,7 +30,8 @@ struct Lifted {
 /// of all that its step allows.
 Lifted check_lifting(const testing::Stages& s) {
   Lifted lifted;
-  const Priority priority(Criterion::kConstrained, s.points(), s.complex);
+  const ManifoldSolid ranks = s.solid();
+  const Priority priority(Criterion::kConstrained, s.points(), ranks);
   Boundary boundary(s.complex);
   Rules rules(s);
   const auto place = [&](TetId t) {

@@ -9,6 +9,7 @@
 
 #include "kernel/tet_complex.h"
 #include "sculpt/boundary.h"
+#include "sculpt/exposure.h"
 #include "sculpt/priority.h"
 #include "tests/support/sculpt_rules.h"
 #include "tests/support/sculpt_stages.h"
@@ -29,7 +30,8 @@ TetId first_of(const testing::Stages& s, const Boundary& boundary, const Priorit
     if (!boundary.solid(t) || !may_go(t)) continue;
     const double key = priority.key(t, exposure(boundary, t));
     const bool first =
-        best == kNoTet || key < best_key || (key == best_key && corners_less(s.complex, t, best));
+        best == kNoTet || key < best_key ||
+        (key == best_key && corners_less(s.complex.vertices(t), s.complex.vertices(best)));
     if (first) {
       best = t;
       best_key = key;
@@ -44,7 +46,8 @@ TEST_CASE("each removal is the first of all removable") {
     for (const Criterion criterion : testing::kAllCriteria) {
       INFO(set, ", criterion ", static_cast<int>(criterion));
       const bool constrained = criterion == Criterion::kConstrained;
-      const Priority priority(criterion, s.points(), s.complex);
+      const ManifoldSolid ranks = s.solid();
+      const Priority priority(criterion, s.points(), ranks);
       Boundary boundary(s.complex);
       Rules rules(s);
       const auto may_go = [&](TetId t) {

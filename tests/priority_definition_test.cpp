@@ -32,7 +32,8 @@ struct OneTet {
                                            1u << corner_of(stages.complex.vertices(TetId{0}), v));
       ++e.faces;
     }
-    return Priority(criterion, stages.points(), stages.complex).key(TetId{0}, e);
+    const ManifoldSolid solid = stages.solid();
+    return Priority(criterion, stages.points(), solid).key(TetId{0}, e);
   }
 
   std::vector<Point3> input;
@@ -107,17 +108,14 @@ TEST_CASE("ranks follow exact length, then the end points") {
     };
     // One face after the other, all tetrahedra: the rank grows with the longest edge.
     std::vector<std::pair<decltype(order_of(TetId{}, 0)), std::uint32_t>> longest;
-    const Priority priority(Criterion::kLongestEdge, s.points(), s.complex);
+    const ManifoldSolid solid = s.solid();
     for (const TetId t : s.tets()) {
       for (std::size_t face = 0; face < 4; ++face) {
-        Exposure e;
-        e.faces = 1;
-        e.facets = static_cast<std::uint8_t>(e.facets | 1u << face);
         const auto& [i, j, k] = kFacetCorners[face];
         longest.emplace_back(
             std::max({order_of(t, kEdgeOfCorners[i][j]), order_of(t, kEdgeOfCorners[j][k]),
                       order_of(t, kEdgeOfCorners[i][k])}),
-            priority.longest_edge_rank(t, e));
+            solid.longest_rank(t, 1u << face));
       }
     }
     std::sort(longest.begin(), longest.end());

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sculpt/boundary.h"
-#include "sculpt/priority.h"
+#include "sculpt/manifold_solid.h"
 #include "sculpt/pseudo_prism.h"
 #include "tests/support/sculpt_prisms.h"
 #include "tests/support/sculpt_rules.h"
@@ -22,14 +21,13 @@ using testing::Chain;
 using testing::Rules;
 
 /// The prisms that the library finds, from all boundary facets.
-std::set<Chain> found_prisms(const testing::Stages& s, const Boundary& boundary,
-                             const Flags& flagged) {
+std::set<Chain> found_prisms(const testing::Stages& s, const ManifoldSolid& solid) {
   std::set<Chain> prisms;
   for (const TetId t : s.tets()) {
-    if (!boundary.solid(t)) continue;
+    if (!solid.solid(t)) continue;
     for (int i = 0; i < 4; ++i) {
-      if (!exposure(boundary, t).on_boundary(static_cast<std::size_t>(i))) continue;
-      const auto from_here = pseudo_prisms(boundary, t, i, flagged);
+      if ((solid.faces(t) >> i & 1) == 0) continue;
+      const auto from_here = pseudo_prisms(solid, t, i);
       REQUIRE(from_here.size() <= 6);
       for (const PseudoPrism& prism : from_here) REQUIRE(prisms.insert(prism.tets).second);
     }
@@ -38,17 +36,38 @@ std::set<Chain> found_prisms(const testing::Stages& s, const Boundary& boundary,
 }
 
 /// All prisms by definition, compared with the library's in both functions.
-std::set<Chain> check_prisms(const testing::Stages& s, const Boundary& boundary, const Rules& rules,
-                             const Flags& flagged) {
-  const std::set<testing::EndPoints> edges = testing::end_points(s, flagged);
+std::set<Chain> check_prisms(const testing::Stages& s, const ManifoldSolid& solid,
+                             const Rules& rules, const Flags& emst_edges) {
+  const std::set<testing::EndPoints> edges = testing::end_points(s, emst_edges);
   std::set<Chain> prisms;
   for (const Chain& chain : testing::all_chains(s, rules)) {
     const bool prism = testing::is_prism(s, rules, chain, edges);
-    REQUIRE(is_pseudo_prism(boundary, PseudoPrism{chain}, flagged) == prism);
+    REQUIRE(is_pseudo_prism(solid, PseudoPrism{chain}) == prism);
     if (prism) prisms.insert(chain);
   }
-  REQUIRE(found_prisms(s, boundary, flagged) == prisms);
+  REQUIRE(found_prisms(s, solid) == prisms);
   return prisms;
+}
+
+void remove(ManifoldSolid& solid, Rules& rules, const testing::RemovalStep& step) {
+  const auto ignore = [](TetId) {};
+  if (step.hole) {
+    solid.remove_prism({step.tets[0], step.tets[1], step.tets[2]}, ignore);
+  } else {
+    solid.remove(step.tets[0], ignore);
+  }
+  for (const TetId t : step.tets) rules.remove(t);
+}
+
+/// All prisms at the end of sculpting, if these edges were the EMST.
+std::size_t prisms_at_end(const testing::Stages& s, const Sculpture& sculpture,
+                          const Flags& emst_edges) {
+  ManifoldSolid solid(s.points(), s.complex, {s.constraints.egh_triangles, emst_edges});
+  Rules rules(s);
+  for (const testing::RemovalStep& step : testing::removal_steps(sculpture)) {
+    remove(solid, rules, step);
+  }
+  return check_prisms(s, solid, rules, emst_edges).size();
 }
 
 std::vector<testing::NamedSet> sets() {
@@ -62,17 +81,11 @@ TEST_CASE("at the end of sculpting, all edges flagged, those of the EMST, or non
   for (const testing::NamedSet& set : sets()) {
     INFO(set);
     const testing::Stages s = testing::stages(set.points);
-    Boundary boundary(s.complex);
-    Rules rules(s);
     const Sculpture sculpture = s.sculpt();
-    for (const TetId t : sculpture.removed) {
-      boundary.remove(t);
-      rules.remove(t);
-    }
-    prisms += check_prisms(s, boundary, rules, Flags(s.complex.edge_count(), 1)).size();
-    CHECK(check_prisms(s, boundary, rules, Flags(s.complex.edge_count(), 0)).empty());
+    prisms += prisms_at_end(s, sculpture, Flags(s.complex.edge_count(), 1));
+    CHECK(prisms_at_end(s, sculpture, Flags(s.complex.edge_count(), 0)) == 0);
     // The method ends when no pseudo-prism would bring a tree edge out.
-    CHECK(check_prisms(s, boundary, rules, s.constraints.emst_edges).empty());
+    CHECK(prisms_at_end(s, sculpture, s.constraints.emst_edges) == 0);
   }
   CHECK(prisms > 100);
 }
@@ -81,25 +94,21 @@ TEST_CASE("each hole is opened by the pseudo-prism with the longest boundary edg
   for (const testing::NamedSet& set : testing::bodies()) {
     INFO(set);
     const testing::Stages s = testing::stages(set.points);
-    const Priority priority(Criterion::kConstrained, s.points(), s.complex);
-    Boundary boundary(s.complex);
+    ManifoldSolid solid = s.solid();
     Rules rules(s);
     const auto rank = [&](const Chain& chain) {
-      return std::max(priority.longest_edge_rank(chain[0], exposure(boundary, chain[0])),
-                      priority.longest_edge_rank(chain[2], exposure(boundary, chain[2])));
+      return std::max(solid.longest_rank(chain[0], solid.faces(chain[0])),
+                      solid.longest_rank(chain[2], solid.faces(chain[2])));
     };
     const Sculpture sculpture = s.sculpt();
     for (const testing::RemovalStep& step : testing::removal_steps(sculpture)) {
       if (step.hole) {
-        const auto prisms = check_prisms(s, boundary, rules, s.constraints.emst_edges);
+        const auto prisms = check_prisms(s, solid, rules, s.constraints.emst_edges);
         const Chain taken{step.tets[0], step.tets[1], step.tets[2]};
         REQUIRE(prisms.contains(taken));
         for (const Chain& other : prisms) REQUIRE(rank(other) <= rank(taken));
       }
-      for (const TetId t : step.tets) {
-        boundary.remove(t);
-        rules.remove(t);
-      }
+      remove(solid, rules, step);
     }
   }
 }

@@ -7,6 +7,7 @@ target_link_libraries(tetsculpt_sculpt_support PUBLIC tetsculpt_sculpt tetsculpt
 foreach(
   name
   boundary_counts_test
+  manifold_solid_test
   paper_bodies_test
   paper_euler_relation_test
   paper_lifting_test

@@ -11,6 +11,7 @@
 #include "kernel/tet_complex.h"
 #include "kernel/triangle_mesh.h"
 #include "kernel/vertex_stars.h"
+#include "sculpt/manifold_solid.h"
 #include "sculpt/sculpt_paper.h"
 #include "sculpt/sculpture.h"
 
@@ -25,6 +26,8 @@ struct Stages {
 
   std::span<const Point3> points() const { return distinct.points; }
   std::vector<TetId> tets() const;  ///< the finite ones
+  /// Nothing removed yet.
+  ManifoldSolid solid() const { return {points(), complex, constraints}; }
   /// Each finite tetrahedron inside with this probability.
   Flags random_labels(double share, std::uint64_t seed) const;
   /// The boundary of what is inside, over all vertices.
