@@ -83,16 +83,14 @@ void TetComplex::find_simplices(const std::function<void(double)>& progress) {
   for (std::size_t t = 0; t < count; ++t) odd_tets[t] = is_odd(tets_[t]);
   triangles_of_tet_.resize(count);
   edges_of_tet_.resize(count);
-  facet_of_triangle_.resize((std::size_t{3} * finite_count + count) / 2);
+  facet_of_triangle_.reserve((std::size_t{3} * finite_count + count) / 2);
   edges_.reserve(count + count / 4);
   std::vector<std::array<EdgeId, 2>> same;
-  std::uint32_t triangle_count = 0;
   // Pointers of its own: a member's would be loaded again after each element written.
   const std::uint8_t* const odd = odd_tets.data();
   const auto* const neighbors = neighbors_.data();
   auto* const triangles = triangles_of_tet_.data();
   auto* const edges_of = edges_of_tet_.data();
-  auto* const facets = facet_of_triangle_.data();
   for (std::uint32_t t = 0; t < count; ++t) {
     if (progress && t % kTellEvery == 0) {
       progress(static_cast<double>(t) / static_cast<double>(count));
@@ -107,8 +105,8 @@ void TetComplex::find_simplices(const std::function<void(double)>& progress) {
         take_over(edges, kFacetEdges[rank(i, odd[t])], edges_of[u],
                   kFacetEdges[rank(h & 3, odd[u])], same);
       } else if (t < finite_count) {
-        triangles[t][i] = TriangleId{triangle_count};
-        facets[triangle_count++] = 4 * t + i;
+        triangles[t][i] = TriangleId{static_cast<std::uint32_t>(facet_of_triangle_.size())};
+        facet_of_triangle_.push_back(4 * t + i);
       } else {
         triangles[t][i] = kNoTriangle;
       }

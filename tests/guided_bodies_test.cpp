@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_surface.h"
 
 namespace tetsculpt {
@@ -42,7 +43,7 @@ void check_body(const std::vector<Point3>& points, std::size_t genus, double vol
 
 TEST_CASE("sphere") {
   for (const double spacing : {0.5, 0.3, 0.2, 0.1, 0.07}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    for (const std::uint64_t seed : testing::seeds(4)) {
       INFO("spacing ", spacing, ", seed ", seed);
       check_body(point_sets::sphere(spacing, seed), 0, 4 * kPi / 3, spacing * spacing);
     }
@@ -51,7 +52,7 @@ TEST_CASE("sphere") {
 
 TEST_CASE("ellipsoid") {
   for (const double spacing : {0.2, 0.15, 0.1, 0.06}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    for (const std::uint64_t seed : testing::seeds(4)) {
       INFO("spacing ", spacing, ", seed ", seed);
       check_body(point_sets::ellipsoid(spacing, seed), 0, 4 * kPi / 3 * 0.35,
                  4 * spacing * spacing);
@@ -61,7 +62,7 @@ TEST_CASE("ellipsoid") {
 
 TEST_CASE("cube, with its edges: all of its volume") {
   for (const double spacing : {0.15, 0.1, 0.06}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    for (const std::uint64_t seed : testing::seeds(4)) {
       INFO("spacing ", spacing, ", seed ", seed);
       check_body(point_sets::cube_surface(spacing, seed), 0, 1, 1e-9);
     }
@@ -70,7 +71,7 @@ TEST_CASE("cube, with its edges: all of its volume") {
 
 TEST_CASE("torus: genus 1") {
   for (const double spacing : {0.25, 0.2, 0.15, 0.12, 0.1, 0.07}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    for (const std::uint64_t seed : testing::seeds(4)) {
       INFO("spacing ", spacing, ", seed ", seed);
       check_body(point_sets::torus(spacing, seed), 1, 2 * kPi * kPi * 0.16, 4 * spacing * spacing);
     }
@@ -80,7 +81,7 @@ TEST_CASE("torus: genus 1") {
 TEST_CASE("double torus: genus 2") {
   // The limbs are 0.17 thick where they are thinnest.
   for (const double spacing : {0.11, 0.1, 0.08, 0.06}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    for (const std::uint64_t seed : testing::seeds(6)) {
       INFO("spacing ", spacing, ", seed ", seed);
       const Topology t = topology(faultless(point_sets::double_torus(spacing, seed)));
       CHECK(t.components == 1);
@@ -90,7 +91,7 @@ TEST_CASE("double torus: genus 2") {
 }
 
 TEST_CASE("samples at random, not evenly spread: still a torus, still a ball") {
-  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+  for (const std::uint64_t seed : testing::seeds(4)) {
     INFO("seed ", seed);
     const Topology torus = topology(faultless(point_sets::random_torus(5000, seed)));
     CHECK(torus.components == 1);

@@ -12,6 +12,7 @@
 
 #include "kernel/disjoint_sets.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_surface.h"
 
 namespace tetsculpt {
@@ -85,7 +86,7 @@ TEST_CASE("two balls apart") {
 
 TEST_CASE("a cavity is kept, and looks inward") {
   for (const double radius : {0.3, 0.5, 0.6}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    for (const std::uint64_t seed : testing::seeds(3)) {
       INFO("radius ", radius, ", spacing 0.1, seeds ", seed, " and 4");
       const auto points = point_sets::joined(ball(1, 0.1, seed), ball(radius, 0.1, 4));
       const Topology t = check_shells(points, {kBall, -kBall * std::pow(radius, 3)}, 0.15);
@@ -95,7 +96,7 @@ TEST_CASE("a cavity is kept, and looks inward") {
 }
 
 TEST_CASE("a body in a cavity, and a cavity in that") {
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+  for (const std::uint64_t seed : testing::seeds(3)) {
     INFO("spacing 0.07, seed ", seed);
     auto points = point_sets::joined(ball(1, 0.07, seed), ball(0.7, 0.07, seed + 1));
     points = point_sets::joined(points, ball(0.4, 0.07, seed + 2));
@@ -107,7 +108,7 @@ TEST_CASE("a body in a cavity, and a cavity in that") {
 }
 
 TEST_CASE("two cavities, and a ring-shaped one") {
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+  for (const std::uint64_t seed : testing::seeds(3)) {
     INFO("spacing 0.1, seed ", seed);
     const auto small = ball(0.3, 0.07, seed);
     auto points =
@@ -124,7 +125,7 @@ TEST_CASE("two cavities, and a ring-shaped one") {
 TEST_CASE("linked rings: two shells, genus 2 in sum") {
   const double ring = 2 * kPi * kPi * 0.16;
   for (const double spacing : {0.1, 0.07}) {
-    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    for (const std::uint64_t seed : testing::seeds(3)) {
       INFO("spacing ", spacing, ", seeds ", seed, " and 5");
       const auto points =
           point_sets::joined(point_sets::torus(spacing, seed), upright_torus(spacing, 5, 1));

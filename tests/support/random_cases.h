@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,13 @@ inline constexpr bool kSanitized = false;
 template <typename Count>
 constexpr Count random_cases(Count asked) {
   return kSanitized ? asked / 10 : asked;
+}
+
+/// The seeds 1 to `count`, or the first alone.
+inline std::vector<std::uint64_t> seeds(std::uint64_t count) {
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = 1; seed <= (kSanitized ? 1 : count); ++seed) seeds.push_back(seed);
+  return seeds;
 }
 
 /// All of them, or every fourth.
