@@ -20,7 +20,8 @@
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
 // is a multiple of its power of g that fits in 53 bits: nothing was rounded, and the value is exact
 // (for an infinite facet: 2^53 g^3). On integer grids this decides nearly all ties without
-// expansions.
+// expansions. Where many points are on one sphere, that of the first simplex, ties among them need
+// no test at all: a quarter off the hull of a lattice sphere.
 #include "kernel/hull_facets.h"
 
 #include <algorithm>
@@ -105,6 +106,20 @@ bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
   return true;
 }
 
+void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
+  constexpr std::size_t kSample = 64;
+  constexpr std::size_t kMany = 16;  // of them
+  const auto on_sphere = [&](std::size_t s) {
+    return insphere(sites_[simplex[0]], sites_[simplex[1]], sites_[simplex[2]], sites_[simplex[3]],
+                    sites_[s]) == Sign::kZero;
+  };
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < kSample; ++k) found += on_sphere(sites_.size() * k / kSample);
+  if (found < kMany) return;
+  on_sphere_.resize(sites_.size());
+  for (std::size_t s = 0; s < sites_.size(); ++s) on_sphere_[s] = on_sphere(s);
+}
+
 void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c) {
   if (!c) {
     const Normal m = half_space(a->to, b->to);
@@ -155,6 +170,13 @@ bool Facets::decide(FacetIndex f, Site q) const {
 
 bool Facets::finite_visible(FacetIndex f, Site q) const {
   const auto& c = corners(f);
+  const auto judged_by = [&](auto&& judge) {
+    return judge(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
+  };
+  if (!on_sphere_.empty() && on_sphere_[q] && on_sphere_[c[0]] && on_sphere_[c[1]] &&
+      on_sphere_[c[2]] && on_sphere_[c[3]]) {
+    return judged_by(perturbed_inside);
+  }
   const Point3& origin = sites_[c[0]];
   const std::array<LiftedDifference, 4> d = {
       lifted_difference(sites_[c[1]], origin), lifted_difference(sites_[c[2]], origin),
@@ -167,9 +189,6 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
     const double height = value(normal(d[0], d[1], d[2]), d[3]);
     if (height != 0) return height > 0;
   }
-  const auto judged_by = [&](auto&& judge) {
-    return judge(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
-  };
   if (exact) return judged_by(perturbed_inside);
   const std::optional<Sign> side =
       judged_by([&](const auto&... points) { return insphere_in_units(points..., per_unit_); });

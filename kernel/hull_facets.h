@@ -118,6 +118,9 @@ class Facets {
   LargeBlock<FacetLinks> take_links() {
     return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0));
   }
+  /// If many sites are on the sphere through these four, remembers which, so that no test among
+  /// them has to find that out.
+  void remember_sphere(const std::array<Site, 4>& simplex);
   /// Between these, several threads may append.
   void share() { shared_ = true; }
   void unshare() { shared_ = false; }
@@ -174,6 +177,7 @@ class Facets {
   bool coplanar_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
+  std::vector<bool> on_sphere_;  ///< per site, if many are
   bool shared_ = false;
   std::mutex growing_;
   double reach_;                 ///< as large as the set, a power of two

@@ -405,15 +405,19 @@ FacetIndex Inserter::locate(Site q) const {
 /// It ends because the power of q falls with every step.
 FacetIndex Inserter::locate_exactly(Site q, FacetIndex from) const {
   FacetIndex f = from;
+  std::uint32_t entered = 4;  // through the ridge opposite this corner, behind which q is not
   for (bool moved = true; moved;) {
     moved = false;
     for (std::uint32_t i = 0; i < 4; ++i) {
+      if (i == entered) continue;
       auto p = facets_.corners(f);
       p[i] = q;
       if (orient3d(points_[p[0]], points_[p[1]], points_[p[2]], points_[p[3]]) != Sign::kNegative) {
         continue;
       }
-      f = facet_of(facets_.neighbors(f)[i]);
+      const Ridge next = facets_.neighbors(f)[i];
+      f = facet_of(next);
+      entered = corner_of(next);
       if (!own(f)) return kNone;
       if (facets_.infinite(f)) return f;
       moved = true;

@@ -135,7 +135,9 @@ class Construction {
         options_(options),
         facets_(points, std::ldexp(1.0, unit_exponent(points))),
         inserter_(points, facets_, make_simplex(facets_, simplex),
-                  options.four_lanes && hull::has_four_lanes()) {}
+                  options.four_lanes && hull::has_four_lanes()) {
+    facets_.remember_sphere(simplex);
+  }
 
   void insert(const Rounds& rounds) {
     for (std::size_t r = 0; r < rounds.count(); ++r) {

@@ -200,7 +200,14 @@ struct Barycentric {
 
 }  // namespace
 
+// The first stage without arrays, which the compiler keeps in memory: half as many instructions.
 Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const Vec3<double> p = rounded_difference(a, d);
+  const Vec3<double> q = rounded_difference(b, d);
+  const Vec3<double> r = rounded_difference(c, d);
+  const double value = dot(p, cross(q, r));
+  const double permanent = dot(abs(p), cross_permanent(abs(q), abs(r)));
+  if (std::fabs(value) > (Orient3d::kRoundings + 1) * kUnit * permanent) return sign_of(value);
   return decide<Orient3d, 3>({&a, &b, &c}, d);
 }
 

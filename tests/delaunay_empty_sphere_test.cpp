@@ -43,6 +43,20 @@ TEST_CASE("small solids") { check_empty_spheres(oracle::small_solids()); }
 
 TEST_CASE("middling solids") { check_empty_spheres(oracle::middling_solids()); }
 
+TEST_CASE("a sphere that most points are on, the others inside or outside") {
+  std::vector<oracle::NamedPoints> sets;
+  for (const long squared_radius : {41l, 101l, 194l}) {
+    const auto sphere = point_sets::lattice_sphere(squared_radius);
+    for (const std::size_t side : {2u, 4u}) {
+      auto points = point_sets::joined(sphere, point_sets::random_lattice(60, side, 5));
+      sets.push_back({"inside", points});
+      for (int k = 0; k < 20; ++k) points.push_back({30.0 + k, k % 7 - 3.0, k % 3 - 1.0});
+      sets.push_back({"both", points});
+    }
+  }
+  check_empty_spheres(sets);
+}
+
 TEST_CASE("many small random lattices") {
   std::vector<oracle::NamedPoints> sets;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
