@@ -71,19 +71,16 @@ Sign decide_exactly(const std::array<const Point3*, N>& points, const Point3& or
       .sign();
 }
 
-/// The ladder. `Polynomial` gives value(differences) over doubles and expansions,
-/// permanent(absolute differences), kRoundings (k above) and kDegree.
+/// Is a value computed in doubles clear of its error?
+template <class Polynomial>
+bool is_clear(double value, double permanent) {
+  return std::fabs(value) > (Polynomial::kRoundings + 1) * kUnit * permanent;
+}
+
+/// Stages 2 to 4.
 template <class Polynomial, std::size_t N>
-Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
-  Differences<double, N> rounded;
-  Differences<double, N> magnitudes;
-  for (std::size_t i = 0; i < N; ++i) {
-    rounded[i] = rounded_difference(*points[i], origin);
-    magnitudes[i] = abs(rounded[i]);
-  }
-  const double value = Polynomial::value(rounded);
-  const double permanent = Polynomial::permanent(magnitudes);
-  if (std::fabs(value) > (Polynomial::kRoundings + 1) * kUnit * permanent) return sign_of(value);
+Sign decide_unclear(const std::array<const Point3*, N>& points, const Point3& origin,
+                    double permanent) {
   if (permanent == 0) return Sign::kZero;  // no product is but of zero: on a coordinate plane
 
   if (const auto integers = integer_differences(points, origin, most_bits(Polynomial::kDegree))) {
@@ -96,6 +93,22 @@ Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
   const double error = (Polynomial::kRoundings + 2) * DoubleDouble::kRounding * permanent;
   if (std::fabs(near.high) > error) return sign_of(near.high);
   return decide_exactly<Polynomial>(points, origin);
+}
+
+/// The ladder. `Polynomial` gives value(differences) over doubles and expansions,
+/// permanent(absolute differences), kRoundings (k above) and kDegree.
+template <class Polynomial, std::size_t N>
+Sign decide(const std::array<const Point3*, N>& points, const Point3& origin) {
+  Differences<double, N> rounded;
+  Differences<double, N> magnitudes;
+  for (std::size_t i = 0; i < N; ++i) {
+    rounded[i] = rounded_difference(*points[i], origin);
+    magnitudes[i] = abs(rounded[i]);
+  }
+  const double value = Polynomial::value(rounded);
+  const double permanent = Polynomial::permanent(magnitudes);
+  if (is_clear<Polynomial>(value, permanent)) return sign_of(value);
+  return decide_unclear<Polynomial>(points, origin, permanent);
 }
 
 struct Orient3d {
@@ -207,8 +220,8 @@ Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d
   const Vec3<double> r = rounded_difference(c, d);
   const double value = dot(p, cross(q, r));
   const double permanent = dot(abs(p), cross_permanent(abs(q), abs(r)));
-  if (std::fabs(value) > (Orient3d::kRoundings + 1) * kUnit * permanent) return sign_of(value);
-  return decide<Orient3d, 3>({&a, &b, &c}, d);
+  if (is_clear<Orient3d>(value, permanent)) return sign_of(value);
+  return decide_unclear<Orient3d, 3>({&a, &b, &c}, d, permanent);
 }
 
 Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
