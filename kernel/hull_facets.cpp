@@ -199,8 +199,7 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
 /// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite
 /// one.
 bool Facets::coplanar_visible(FacetIndex f, Site q) const {
-  const auto& c = corners(facet_of(neighbors(f)[3]));
-  return in_perturbed_sphere(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
+  return visible(facet_of(neighbors(f)[3]), q);
 }
 
 }  // namespace tetsculpt::hull
