@@ -133,6 +133,8 @@ class Facets {
   std::uint32_t& mark(FacetIndex f) { return facets_[f].mark; }
 
   const Point3& point(Site s) const { return sites_[s]; }
+  /// No corner is the first one of what is free.
+  bool lives(FacetIndex f) const { return corners(f)[0] != kNone; }
   bool infinite(FacetIndex f) const { return facets_[f].links.infinite(); }
 
   /// Sets the hyperplane through the facet's first corner and three others, in their order; a null

@@ -32,19 +32,14 @@ Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<F
       half_ridge_(kLargeCone * kLargeCone) {}
 
 Inserter Inserter::helper(SiteRange own) {
-  for (const FacetIndex f : free_) facets_.corners(f)[0] = kNone;
   Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_);
   helper.own_ = own;
   helper.stamp_ = stamp_;
-  // Begin at the end of the range's stretch of the curve where the points will.
   helper.last_ = kNone;
-  Site first = kNone;
+  helper.known_.assign(std::min<std::size_t>(own.end, points_.size()) - own.begin, kNone);
   for (FacetIndex f = 0; f < facets_.size(); ++f) {
-    if (facets_.corners(f)[0] == kNone) continue;
-    const Site lowest = std::ranges::min(facets_.corners(f));
-    if (lowest >= first || !helper.own(f)) continue;
-    first = lowest;
-    helper.last_ = f;
+    if (!facets_.lives(f) || facets_.infinite(f) || !helper.own(f)) continue;
+    for (const Site s : facets_.corners(f)) helper.known_[s - own.begin] = f;
   }
   return helper;
 }
@@ -264,7 +259,10 @@ void Inserter::make_cone(Site apex) {
   cone_.hold(horizon_.size());
   set_geometry(apex, count);
   if (visible_.size() > horizon_.size()) {
-    free_.insert(free_.end(), visible_.begin() + horizon_.size(), visible_.end());
+    for (std::size_t k = horizon_.size(); k < visible_.size(); ++k) {
+      facets_.corners(visible_[k])[0] = kNone;
+      free_.push_back(visible_[k]);
+    }
   }
   if (count <= kSmallCone) {
     link_cone<kSmallCone>();
@@ -360,13 +358,31 @@ void Inserter::add_conflict(Slot k, FacetIndex f) {
   conflicts_[k] = {f, facets_.height(f, points_[batch_[k]]).value};
 }
 
-/// A facet that q sees. Walks to neighbours whose sphere has the smaller power of q, which is the
-/// side of their common triangle's plane on which q lies; every step is a few multiply-adds, and
-/// the walk may end as soon as the power is negative. Rounding can only end it early. kNone where
-/// the walk leaves the range.
+/// A facet that q sees, or kNone if none was found within the range: on the way from where the last
+/// point went in, or else from sites before q on the curve.
 FacetIndex Inserter::locate(Site q) const {
-  FacetIndex f = last_;
-  if (f == kNone) return kNone;
+  constexpr Site kBack = 64;
+  int tries = 3;
+  FacetIndex found = last_ == kNone ? kNone : walk(q, last_);
+  if (own_.all()) return found;
+  const Site end = q - std::min(q - own_.begin, kBack);
+  for (Site s = q; found == kNone && s > end && tries > 0; --s) {
+    const FacetIndex f = known_[s - 1 - own_.begin];
+    if (f == kNone || !facets_.lives(f) ||
+        std::ranges::find(facets_.corners(f), s - 1) == facets_.corners(f).end()) {
+      continue;
+    }
+    found = walk(q, f);
+    --tries;
+  }
+  return found;
+}
+
+/// From f to a facet that q sees. Walks to neighbours whose sphere has the smaller power of q,
+/// which is the side of their common triangle's plane on which q lies; every step is a few
+/// multiply-adds, and the walk may end as soon as the power is negative. Rounding can only end it
+/// early. kNone where the walk leaves the range.
+FacetIndex Inserter::walk(Site q, FacetIndex f) const {
   if (facets_.infinite(f)) {
     if (facets_.visible(f, q)) return f;
     f = facet_of(facets_.neighbors(f)[3]);

@@ -112,6 +112,7 @@ class Inserter {
   void reassign_conflicts();
 
   FacetIndex locate(Site q) const;
+  FacetIndex walk(Site q, FacetIndex f) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
   void add_conflict(Slot k, FacetIndex f);
   void collect_orphans(Slot apex);
@@ -127,6 +128,7 @@ class Inserter {
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
   std::vector<FacetIndex> free_;
+  std::vector<FacetIndex> known_;  ///< per site of a helper's range, a facet at it, if it lives
   std::vector<Site> deferred_;
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};

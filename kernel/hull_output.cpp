@@ -61,9 +61,7 @@ class Output {
         threads_(threads),
         facet_count_(facets_.capacity()),
         count_(facets_.capacity() - free.size()),
-        first_(2 * site_count + 1, 0) {
-    for (const FacetIndex f : free) facets_[f].corners[0] = kNone;
-  }
+        first_(2 * site_count + 1, 0) {}
 
   LiftedHull run(const std::function<void(double)>& progress) {
     const auto told = [&](double share) {
@@ -73,6 +71,7 @@ class Output {
     count_buckets();
     told(0.1);
     hull.finite_count = first_[first_.size() / 2];
+    share_buckets();
     hull.tets.resize(count_);
     scatter(hull.tets);
     told(0.4);
@@ -100,15 +99,6 @@ class Output {
     const std::size_t lowest = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
     return facets_[f].infinite() ? lowest + first_.size() / 2 : lowest;
   }
-  template <class Visit>
-  void for_each_living(Visit&& visit) const {
-    parallel_ranges(facet_count_, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        if (lives(static_cast<FacetIndex>(f))) visit(static_cast<FacetIndex>(f));
-      }
-    });
-  }
-
   /// The count before. An atomic operation waits for all stores before it: a tenth of the hull's
   /// time, if one thread did it for nothing.
   std::uint32_t count_one_up(std::size_t b) {
@@ -117,23 +107,52 @@ class Output {
   }
 
   void count_buckets() {
-    for_each_living([&](FacetIndex f) { count_one_up(bucket(f)); });
+    parallel_ranges(facet_count_, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        if (lives(static_cast<FacetIndex>(f))) count_one_up(bucket(static_cast<FacetIndex>(f)));
+      }
+    });
     std::exclusive_scan(first_.begin(), first_.end(), first_.begin(), 0u);
   }
 
-  /// Puts facets into their buckets, and the ends of the buckets into first_.
+  /// Shares the buckets out among the threads, by what is in them.
+  void share_buckets() {
+    constexpr std::size_t kWorthAThread = 4096;
+    const std::size_t parts = std::clamp<std::size_t>(
+        count_ / kWorthAThread, 1, static_cast<std::size_t>(std::max(threads_, 1)));
+    cuts_.assign(1, 0);
+    for (std::size_t part = 1; part < parts; ++part) {
+      const auto cut = std::ranges::lower_bound(first_, count_ * part / parts);
+      cuts_.push_back(static_cast<std::size_t>(cut - first_.begin()));
+    }
+    cuts_.push_back(first_.size() - 1);
+  }
+  /// Calls work(begin, end) on each share, on a thread of its own.
+  template <class Work>
+  void for_each_share(Work&& work) const {
+    parallel_each(cuts_.size() - 1, [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
+  }
+
+  /// Puts facets into their buckets, and the ends of the buckets into first_. Each thread reads all
+  /// facets for those of its share: two that fill one bucket wait for each other's cache lines, and
+  /// are slower than one.
   void scatter(LargeArray<Corners>& tets) {
     facet_at_.resize(count_);
     placed_.resize(facet_count_);
-    for_each_living([&](FacetIndex f) {
-      const std::uint32_t at = count_one_up(bucket(f));
-      placed_[f].places = put_in_order(facets_[f].corners, tets[at]);
-      facet_at_[at] = f;
+    for_each_share([&](std::size_t begin, std::size_t end) {
+      for (FacetIndex f = 0; f < facet_count_; ++f) {
+        if (!lives(f)) continue;
+        const std::size_t b = bucket(f);
+        if (b < begin || b >= end) continue;
+        const std::uint32_t at = first_[b]++;
+        placed_[f].places = put_in_order(facets_[f].corners, tets[at]);
+        facet_at_[at] = f;
+      }
     });
   }
 
   void sort_buckets(LargeArray<Corners>& tets) {
-    parallel_ranges(first_.size() - 1, threads_, [&](std::size_t begin, std::size_t end) {
+    for_each_share([&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) {
         sort_bucket(tets, b == 0 ? 0 : first_[b - 1], first_[b]);
       }
@@ -201,6 +220,7 @@ class Output {
   std::size_t facet_count_;  ///< living and dead
   std::size_t count_;
   LargeArray<std::uint32_t> first_;  ///< per bucket
+  std::vector<std::size_t> cuts_;    ///< buckets that begin a share, and the end
   LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron of the result
   LargeArray<Placed> placed_;        ///< per facet that lives
 };
