@@ -109,6 +109,7 @@ bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
 void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
   constexpr std::size_t kSample = 64;
   constexpr std::size_t kMany = 16;  // of them
+  if (sites_.size() < kSample) return;
   const auto on_sphere = [&](std::size_t s) {
     return insphere(sites_[simplex[0]], sites_[simplex[1]], sites_[simplex[2]], sites_[simplex[3]],
                     sites_[s]) == Sign::kZero;

@@ -53,8 +53,9 @@ class Stack {
 
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
 /// one changes only facets all of whose corners are its own, and reads only those and their
-/// neighbours. A facet with three corners that are its own or at infinity is out of all others'
-/// reach, because they would need three, too, and there is one at infinity only.
+/// neighbours, and the finite facet behind an infinite neighbour. A facet with three corners that
+/// are its own or at infinity is out of all others' reach, because they would need three, too, and
+/// there is one at infinity only; so is one with two corners that are its own and none at infinity.
 class Inserter {
  public:
   /// How many points may be in conflict sets at a time.
@@ -128,7 +129,9 @@ class Inserter {
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
   std::vector<FacetIndex> free_;
-  std::vector<FacetIndex> known_;  ///< per site of a helper's range, a facet at it, if it lives
+  /// Per site of a helper's range, a facet that was at it when the helper began; it may be gone or
+  /// another one since.
+  std::vector<FacetIndex> known_;
   std::vector<Site> deferred_;
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};

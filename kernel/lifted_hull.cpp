@@ -26,13 +26,14 @@
 // by lists per lowest corner, two passes less (half as slow again).
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
-// thread inserts one; what would touch another's facets waits until all are done: 8 % of the points
-// of a cube, but 73 % of a torus and 96 % of a sphere, because the tetrahedra inside have corners
-// everywhere. Tried for those: threads in step, each finds out what 16 of its points change and
-// leaves marks without locks, then makes the changes that kept all marks. One in 5,000 met another,
-// but threads waited a fifth of the time for the one with the larger cavities, and what lies
-// between the two halves costs the nearest cache: no faster than one thread on a sphere, slower on
-// a cube.
+// thread inserts one; what would touch another's facets waits until all are done: 5 % of the points
+// of a cube, 25 % of a bumpy sphere, where the tetrahedra inside have corners everywhere. (Nearly
+// all points of a sphere waited while walks stuck at the border of a range did not begin anew near
+// the point.) Tried while they did: threads in step, each finds out what 16 of its points change
+// and leaves marks without locks, then makes the changes that kept all marks. One in 5,000 met
+// another, but threads waited a fifth of the time for the one with the larger cavities, and what
+// lies between the two halves costs the nearest cache: no faster than one thread on a sphere,
+// slower on a cube.
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 // instead, as was done before, takes a quarter to a half longer for the whole complex.
 #include "kernel/tet_complex.h"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -77,6 +78,7 @@ TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count,
 
 void TetComplex::find_simplices(const std::function<void(double)>& progress) {
   constexpr std::uint32_t kTellEvery = 1u << 19;
+  constexpr double kOfWork = 0.85;  // numbering the edges is the rest
   const auto count = static_cast<std::uint32_t>(tets_.size());
   const auto finite_count = static_cast<std::uint32_t>(finite_count_);
   LargeArray<std::uint8_t> odd_tets(count);
@@ -93,7 +95,7 @@ void TetComplex::find_simplices(const std::function<void(double)>& progress) {
   auto* const edges_of = edges_of_tet_.data();
   for (std::uint32_t t = 0; t < count; ++t) {
     if (progress && t % kTellEvery == 0) {
-      progress(static_cast<double>(t) / static_cast<double>(count));
+      progress(kOfWork * static_cast<double>(t) / static_cast<double>(count));
     }
     RankedEdges edges;
     edges.fill(kNoEdge);

@@ -75,14 +75,6 @@ class TetComplex {
   }
   EdgeId edge(TetId t, int edge) const { return edges_of_tet_[+t][static_cast<std::size_t>(edge)]; }
 
-  /// Has all that is stored of a tetrahedron on its way to the cache.
-  void prefetch(TetId t) const {
-    __builtin_prefetch(&tets_[+t]);
-    __builtin_prefetch(&neighbors_[+t]);
-    __builtin_prefetch(&triangles_of_tet_[+t]);
-    __builtin_prefetch(&edges_of_tet_[+t]);
-  }
-
   /// The triangle in its first tetrahedron, which is finite; across() gives the other one.
   Facet facet(TriangleId t) const {
     const FacetHandle h = facet_of_triangle_[+t];

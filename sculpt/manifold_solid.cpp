@@ -67,12 +67,12 @@ void ManifoldSolid::copy_tets(std::span<const EdgeId> by_length, const Constrain
       const Facet other = complex_->across(t, corner);
       tet.across[index(corner)] = static_cast<FacetHandle>(4 * +other.tet + index(other.corner));
       faces |= unsigned{!complex_->finite(other.tet)} << corner;
-      if (!egh.empty()) egh_facets |= unsigned{egh[+complex_->triangle(t, corner)]} << corner;
+      if (!egh.empty()) egh_facets |= unsigned{egh[+complex_->triangle(t, corner)] != 0} << corner;
     }
     for (int k = 0; k < 6; ++k) {
       const EdgeId e = complex_->edge(t, k);
       tet.ranks[index(k)] = rank[+e];
-      if (!emst.empty()) emst_edges |= unsigned{emst[+e]} << k;
+      if (!emst.empty()) emst_edges |= unsigned{emst[+e] != 0} << k;
     }
     tet.faces = static_cast<std::uint8_t>(faces);
     tet.egh_facets = static_cast<std::uint8_t>(egh_facets);

@@ -71,10 +71,12 @@ class ManifoldSolid {
   std::uint32_t& note(TetId t) { return tets_[+t].note; }
   std::uint32_t note(TetId t) const { return tets_[+t].note; }
 
-  /// Has what is stored of a tetrahedron, or of its neighbours, on its way to the cache.
+  /// Has what is stored of a finite tetrahedron, or of its neighbours, on its way to the cache.
   void prefetch(TetId t) const { __builtin_prefetch(&tets_[+t]); }
   void prefetch_neighbors(TetId t) const {
-    for (const FacetHandle h : tets_[+t].across) prefetch(facet(h).tet);
+    for (const FacetHandle h : tets_[+t].across) {
+      if (const TetId u = facet(h).tet; complex_->finite(u)) prefetch(u);
+    }
   }
 
  private:

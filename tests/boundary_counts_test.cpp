@@ -13,6 +13,7 @@
 #include "sculpt/boundary.h"
 #include "sculpt/exposure.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sculpt_rules.h"
 #include "tests/support/sculpt_stages.h"
 
@@ -68,7 +69,7 @@ void check_triangles(const testing::Stages& s, const Boundary& boundary, const R
 }
 
 TEST_CASE("random removals, checked after each") {
-  for (const testing::NamedSet& set : testing::small_sets()) {
+  for (const testing::NamedSet& set : testing::some_of(testing::small_sets())) {
     INFO(set, ", removals by seed 5");
     const testing::Stages s = testing::stages(set.points);
     point_sets::Random random(5);

@@ -45,7 +45,7 @@ struct Comparison {
 TEST_CASE("all triples of the lattice {0..4}^3") {
   const auto point = [](int i) { return Point3{double(i / 25), double(i / 5 % 5), double(i % 5)}; };
   Comparison comparison;
-  for (int a = 0; a < 125; ++a) {
+  for (int a = 0; a < 125; a += testing::kSanitized ? 4 : 1) {
     for (int b = 0; b < 125; ++b) {
       for (int p = 0; p < 125; ++p) comparison.add({point(a), point(b), point(p)});
     }
