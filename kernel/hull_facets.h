@@ -82,6 +82,8 @@ struct FacetLinks {
   std::array<Site, 4> corners;
   std::array<Ridge, 4> neighbors;
   bool infinite() const { return corners[3] == kAtInfinity; }
+  /// What is free has no first corner.
+  bool lives() const { return corners[0] != kNone; }
 };
 
 /// A facet with its lifted hyperplane through the first corner p, as the sphere around the corners:
@@ -133,8 +135,7 @@ class Facets {
   std::uint32_t& mark(FacetIndex f) { return facets_[f].mark; }
 
   const Point3& point(Site s) const { return sites_[s]; }
-  /// No corner is the first one of what is free.
-  bool lives(FacetIndex f) const { return corners(f)[0] != kNone; }
+  bool lives(FacetIndex f) const { return facets_[f].links.lives(); }
   bool infinite(FacetIndex f) const { return facets_[f].links.infinite(); }
 
   /// Sets the hyperplane through the facet's first corner and three others, in their order; a null

@@ -73,8 +73,6 @@ class Inserter {
   /// memory than the store has: they are added to deferred().
   void insert(std::span<const Site> batch);
   const std::vector<Site>& deferred() const { return deferred_; }
-  /// Facets that died without a successor, or were never used.
-  const std::vector<FacetIndex>& free() const { return free_; }
 
  private:
   /// A place in the batch.
@@ -128,7 +126,7 @@ class Inserter {
   SiteRange own_;
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
-  std::vector<FacetIndex> free_;
+  std::vector<FacetIndex> free_;  ///< facets that died without a successor, or were never used
   /// Per site of a helper's range, a facet that was at it when the helper began; it may be gone or
   /// another one since.
   std::vector<FacetIndex> known_;

@@ -55,12 +55,10 @@ Places put_in_order(const std::array<Site, 4>& corners, Corners& to) {
 
 class Output {
  public:
-  Output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free, std::size_t site_count,
-         int threads)
+  Output(LargeBlock<FacetLinks> facets, std::size_t site_count, int threads)
       : facets_(std::move(facets)),
         threads_(threads),
         facet_count_(facets_.capacity()),
-        count_(facets_.capacity() - free.size()),
         first_(2 * site_count + 1, 0) {}
 
   LiftedHull run(const std::function<void(double)>& progress) {
@@ -92,7 +90,6 @@ class Output {
     FacetIndex facet;
   };
 
-  bool lives(FacetIndex f) const { return facets_[f].corners[0] != kNone; }
   /// One bucket per lowest corner; those of infinite facets come after all others.
   std::size_t bucket(FacetIndex f) const {
     const auto& c = facets_[f].corners;
@@ -109,17 +106,16 @@ class Output {
   void count_buckets() {
     parallel_ranges(facet_count_, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        if (lives(static_cast<FacetIndex>(f))) count_one_up(bucket(static_cast<FacetIndex>(f)));
+        if (facets_[f].lives()) count_one_up(bucket(static_cast<FacetIndex>(f)));
       }
     });
     std::exclusive_scan(first_.begin(), first_.end(), first_.begin(), 0u);
+    count_ = first_.back();
   }
 
   /// Shares the buckets out among the threads, by what is in them.
   void share_buckets() {
-    constexpr std::size_t kWorthAThread = 4096;
-    const std::size_t parts = std::clamp<std::size_t>(
-        count_ / kWorthAThread, 1, static_cast<std::size_t>(std::max(threads_, 1)));
+    const std::size_t parts = worth_threads(count_, threads_);
     cuts_.assign(1, 0);
     for (std::size_t part = 1; part < parts; ++part) {
       const auto cut = std::ranges::lower_bound(first_, count_ * part / parts);
@@ -141,7 +137,7 @@ class Output {
     placed_.resize(facet_count_);
     for_each_share([&](std::size_t begin, std::size_t end) {
       for (FacetIndex f = 0; f < facet_count_; ++f) {
-        if (!lives(f)) continue;
+        if (!facets_[f].lives()) continue;
         const std::size_t b = bucket(f);
         if (b < begin || b >= end) continue;
         const std::uint32_t at = first_[b]++;
@@ -217,8 +213,8 @@ class Output {
 
   LargeBlock<FacetLinks> facets_;
   int threads_;
-  std::size_t facet_count_;  ///< living and dead
-  std::size_t count_;
+  std::size_t facet_count_;          ///< living and dead
+  std::size_t count_ = 0;            ///< living
   LargeArray<std::uint32_t> first_;  ///< per bucket
   std::vector<std::size_t> cuts_;    ///< buckets that begin a share, and the end
   LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron of the result
@@ -227,10 +223,9 @@ class Output {
 
 }  // namespace
 
-LiftedHull output(LargeBlock<FacetLinks> facets, std::span<const FacetIndex> free,
-                  std::size_t site_count, int threads,
+LiftedHull output(LargeBlock<FacetLinks> facets, std::size_t site_count, int threads,
                   const std::function<void(double)>& progress) {
-  return Output(std::move(facets), free, site_count, threads).run(progress);
+  return Output(std::move(facets), site_count, threads).run(progress);
 }
 
 }  // namespace tetsculpt::hull

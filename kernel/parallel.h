@@ -30,14 +30,19 @@ void parallel_each(std::size_t count, Work&& work) {
   }
 }
 
+/// How many of up to `threads` threads, at least one, are worth their start for n items.
+inline std::size_t worth_threads(std::size_t n, int threads) {
+  constexpr std::size_t kWorthAThread = 4096;
+  return std::clamp<std::size_t>(n / kWorthAThread, 1,
+                                 static_cast<std::size_t>(std::max(threads, 1)));
+}
+
 /// Calls work(begin, end) on disjoint ranges that cover [0, n), on up to `threads` threads (at
 /// least one, the caller's). Items must be independent, so that the result does not depend on the
 /// split. Rethrows one exception of those thrown.
 template <class Work>
 void parallel_ranges(std::size_t n, int threads, Work&& work) {
-  constexpr std::size_t kWorthAThread = 4096;
-  const std::size_t parts =
-      std::clamp<std::size_t>(n / kWorthAThread, 1, static_cast<std::size_t>(std::max(threads, 1)));
+  const std::size_t parts = worth_threads(n, threads);
   if (parts == 1) return work(std::size_t{0}, n);
   parallel_each(parts, [&](std::size_t part) { work(n * part / parts, n * (part + 1) / parts); });
 }

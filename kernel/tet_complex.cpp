@@ -18,6 +18,7 @@ namespace {
 
 constexpr EdgeId kNoEdge{0xffffffffu};
 constexpr TriangleId kNoTriangle{0xffffffffu};
+
 /// Corners ascend but for the last two, which may descend: then the tetrahedron is odd.
 bool is_odd(const std::array<VertexId, 4>& tet) { return tet[2] > tet[3]; }
 

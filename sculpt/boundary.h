@@ -34,7 +34,6 @@ class Boundary {
   /// The facets of a tetrahedron that are on the boundary, a bit per opposite corner.
   std::uint8_t faces(TetId t) const { return faces_[+t]; }
   bool on_boundary(Facet f) const { return (faces_[+f.tet] >> f.corner & 1) != 0; }
-  bool on_boundary(TriangleId t) const { return on_boundary(complex_->facet(t)); }
   bool on_boundary(EdgeId e) const { return edge_on_boundary_[+e]; }
   bool on_boundary(VertexId v) const { return vertex_on_boundary_[+v]; }
   bool corner_on_boundary(TetId t, int corner) const {

@@ -27,6 +27,13 @@ constexpr int facet_count(unsigned bits) {
   return static_cast<int>(0x4332322132212110ull >> (4 * bits) & 7);
 }
 
+/// With two facets, a bit each: the edge opposite to their common one. Facets i and j are opposite
+/// corners i and j: their common edge joins the other two corners, this one joins i and j.
+constexpr int opposite_edge(unsigned facets) {
+  return kEdgeOfCorners[static_cast<std::size_t>(std::countr_zero(facets))]
+                       [static_cast<std::size_t>(std::countr_zero(facets & (facets - 1)))];
+}
+
 /// Classifies a tetrahedron of a solid (Boundary or ManifoldSolid) by the basic rules, which keep
 /// the boundary a 2-manifold of the same topology: never with three or four boundary faces. The
 /// rules are the same for taking a solid tetrahedron off and for adding one that is not.
@@ -37,11 +44,7 @@ Exposure exposure(const Solid& solid, TetId t) {
   if (e.faces == 1) {
     e.removable = !solid.corner_on_boundary(t, std::countr_zero(faces));
   } else if (e.faces == 2) {
-    // Facets i and j are opposite corners i and j: their common edge joins the other two corners,
-    // and the edge opposite to it joins i and j.
-    const auto i = static_cast<std::size_t>(std::countr_zero(faces));
-    const auto j = static_cast<std::size_t>(std::countr_zero(faces & (faces - 1)));
-    e.opposite_edge = kEdgeOfCorners[i][j];
+    e.opposite_edge = opposite_edge(faces);
     e.removable = !solid.edge_on_boundary(t, e.opposite_edge);
   }
   return e;

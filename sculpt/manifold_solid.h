@@ -147,10 +147,7 @@ void ManifoldSolid::remove(TetId t, Changed&& changed) {
   Tet& tet = tets_[+t];
   take_off(tet, changed);
   if (std::has_single_bit(tet.faces)) return;
-  // Of two faces, opposite corners i and j, the common edge goes.
-  const std::size_t i = index(std::countr_zero(tet.faces));
-  const std::size_t j = index(std::countr_zero(tet.faces & (tet.faces - 1u)));
-  edge_on_boundary_[tet.ranks[5 - kEdgeOfCorners[i][j]]] = false;
+  edge_on_boundary_[tet.ranks[index(5 - opposite_edge(tet.faces))]] = false;
 }
 
 template <class Changed>

@@ -95,6 +95,7 @@ bool is_pseudo_prism(const ManifoldSolid& solid, const PseudoPrism& prism) {
 
 std::vector<PseudoPrism> pseudo_prisms(const ManifoldSolid& solid, TetId t, int corner) {
   std::vector<PseudoPrism> prisms;
+  // What is_pseudo_prism asks of the first two, before the last one comes from far away.
   if (facet_count(solid.faces(t)) != 1) return prisms;
   for (int a = 0; a < 4; ++a) {
     if (a == corner) continue;

@@ -190,10 +190,9 @@ bool PaperSculptor<Queue>::common_edge_in_tree(TetId t, const Exposure& e) const
 /// Would the removal of t bring an edge of the EMST to the boundary?
 template <class Queue>
 bool PaperSculptor<Queue>::exposes_tree_edge(TetId t, const Exposure& e) const {
-  for (int k = 0; k < 6; ++k) {
-    // An edge comes out with the removal if it is on none of the boundary faces.
-    const auto [i, j] = kEdgeCorners[static_cast<std::size_t>(5 - k)];
-    if (e.on_boundary(i) || e.on_boundary(j)) continue;
+  // An edge comes out with the removal if it is on none of the boundary faces.
+  for (unsigned left = kEdgesInside[e.facets]; left != 0; left &= left - 1) {
+    const int k = std::countr_zero(left);
     if (solid_.in_emst(t, k) && !solid_.edge_on_boundary(t, k)) return true;
   }
   return false;
