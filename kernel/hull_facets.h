@@ -116,9 +116,11 @@ class Facets {
   /// Appends at least so many facets, of which nothing is set but a first corner of kNone, to a
   /// list. While shared, facets may not move in memory: false if they would have to.
   bool append(std::size_t count, std::vector<FacetIndex>& free);
-  /// Leaves no facet here; gives away the memory of their hyperplanes.
-  LargeBlock<FacetLinks> take_links() {
-    return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0));
+  /// Leaves no facet here; gives away the memory of their hyperplanes. On up to `threads` threads,
+  /// seen(thread, links) is called for each.
+  template <class Seen>
+  LargeBlock<FacetLinks> take_links(int threads, Seen&& seen) {
+    return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0), threads, seen);
   }
   /// If many sites are on the sphere through these four, remembers which, so that no test among
   /// them has to find that out.

@@ -23,60 +23,56 @@ using Places = std::uint8_t;
 
 std::uint32_t place(Places places, std::uint32_t corner) { return (places >> (2 * corner)) & 3; }
 
-/// Where a facet goes, in one place: its neighbours ask for both.
-struct Placed {
-  std::uint32_t tet;
-  Places places;
-};
-
 /// Puts corners in ascending order, infinity last; the last two change places if that keeps the
-/// orientation. Straight to where they stay: put together elsewhere and copied at once, they would
-/// wait for each other, a thirtieth of the hull's time.
+/// orientation. A corner's place is how many are less.
 Places put_in_order(const std::array<Site, 4>& corners, Corners& to) {
-  std::array<std::uint64_t, 4> keys;
-  for (std::size_t i = 0; i < 4; ++i) keys[i] = std::uint64_t{corners[i]} << 2 | i;
-  bool odd = false;
-  const auto order = [&](std::size_t i, std::size_t j) {
-    const bool swap = keys[i] > keys[j];
-    const std::uint64_t low = swap ? keys[j] : keys[i];
-    keys[j] = swap ? keys[i] : keys[j];
-    keys[i] = low;
-    odd ^= swap;
+  const auto less = [&](std::size_t i, std::size_t j) -> std::uint32_t {
+    return corners[i] < corners[j];
   };
-  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
-  if (odd) std::swap(keys[2], keys[3]);
-  Places places = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    to[k] = VertexId{static_cast<std::uint32_t>(keys[k] >> 2)};
-    places = static_cast<Places>(places | k << (2 * (keys[k] & 3)));
-  }
-  return places;
+  const std::uint32_t l10 = less(1, 0);
+  const std::uint32_t l20 = less(2, 0);
+  const std::uint32_t l30 = less(3, 0);
+  const std::uint32_t l21 = less(2, 1);
+  const std::uint32_t l31 = less(3, 1);
+  const std::uint32_t l32 = less(3, 2);
+  const std::uint32_t odd = l10 ^ l20 ^ l30 ^ l21 ^ l31 ^ l32;
+  std::uint32_t places = 0;
+  const auto put = [&](std::uint32_t i, std::uint32_t place) {
+    place ^= odd & place >> 1;
+    to[place] = VertexId{corners[i]};
+    places |= place << (2 * i);
+  };
+  put(0, l10 + l20 + l30);
+  put(1, 1 - l10 + l21 + l31);
+  put(2, 2 - l20 - l21 + l32);
+  put(3, 3 - l30 - l31 - l32);
+  return static_cast<Places>(places);
 }
 
 class Output {
  public:
-  Output(LargeBlock<FacetLinks> facets, std::size_t site_count, int threads)
-      : facets_(std::move(facets)),
-        threads_(threads),
-        facet_count_(facets_.capacity()),
-        first_(2 * site_count + 1, 0) {}
+  Output(Facets& facets, std::size_t site_count, int threads)
+      : threads_(threads), bucket_count_(2 * site_count) {
+    take(facets);
+    share_buckets();
+  }
 
   LiftedHull run(const std::function<void(double)>& progress) {
     const auto told = [&](double share) {
       if (progress) progress(share);
     };
+    told(0.2);
+    fill_buckets();
+    told(0.3);
     LiftedHull hull;
-    count_buckets();
-    told(0.1);
-    hull.finite_count = first_[first_.size() / 2];
-    share_buckets();
+    hull.finite_count = begin_of(bucket_count_ / 2);
     hull.tets.resize(count_);
-    scatter(hull.tets);
-    told(0.4);
-    sort_buckets(hull.tets);
-    told(0.6);
     hull.neighbors.resize(count_);
-    write_neighbors(hull.neighbors);
+    for_each_share([&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) put_in_order(hull, begin_of(b), end_[b]);
+    });
+    told(0.8);
+    number_neighbors(hull.neighbors);
     told(1);
     return hull;
   }
@@ -84,33 +80,41 @@ class Output {
  private:
   /// So many are sorted by counting.
   static constexpr std::uint32_t kFew = 64;
+  /// What is needed so many steps later is asked for: it lies anywhere in memory.
+  static constexpr std::size_t kAhead = 16;
+
   struct Item {
-    std::uint64_t key;
     Corners corners;
     FacetIndex facet;
+    Places places;
+
+    /// Sorts a bucket: no two tetrahedra have the same first three corners, because those around an
+    /// edge, as they are oriented, lead from each third corner to one fourth.
+    std::uint64_t key() const { return std::uint64_t{+corners[1]} << 32 | +corners[2]; }
   };
 
   /// One bucket per lowest corner; those of infinite facets come after all others.
-  std::size_t bucket(FacetIndex f) const {
-    const auto& c = facets_[f].corners;
+  std::size_t bucket(const FacetLinks& facet) const {
+    const auto& c = facet.corners;
     const std::size_t lowest = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
-    return facets_[f].infinite() ? lowest + first_.size() / 2 : lowest;
+    return facet.infinite() ? lowest + bucket_count_ / 2 : lowest;
   }
-  /// The count before. An atomic operation waits for all stores before it: a tenth of the hull's
-  /// time, if one thread did it for nothing.
-  std::uint32_t count_one_up(std::size_t b) {
-    if (threads_ <= 1) return first_[b]++;
-    return std::atomic_ref(first_[b]).fetch_add(1, std::memory_order_relaxed);
-  }
+  std::uint32_t begin_of(std::size_t b) const { return b == 0 ? 0 : end_[b - 1]; }
 
-  void count_buckets() {
-    parallel_ranges(facet_count_, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        if (facets_[f].lives()) count_one_up(bucket(static_cast<FacetIndex>(f)));
-      }
+  /// Takes the facets and counts what will be in each bucket: end_[b] is b's beginning.
+  void take(Facets& facets) {
+    std::vector<LargeArray<std::uint32_t>> counts(worth_threads(facets.size(), threads_));
+    for (auto& count : counts) count.resize(bucket_count_, 0);
+    facets_ = facets.take_links(threads_, [&](std::size_t thread, const FacetLinks& facet) {
+      if (facet.lives()) ++counts[thread][bucket(facet)];
     });
-    std::exclusive_scan(first_.begin(), first_.end(), first_.begin(), 0u);
-    count_ = first_.back();
+    end_ = std::move(counts[0]);
+    for (std::size_t b = 0; b < bucket_count_; ++b) {
+      std::uint32_t count = end_[b];
+      for (std::size_t thread = 1; thread < counts.size(); ++thread) count += counts[thread][b];
+      end_[b] = static_cast<std::uint32_t>(count_);
+      count_ += count;
+    }
   }
 
   /// Shares the buckets out among the threads, by what is in them.
@@ -118,10 +122,10 @@ class Output {
     const std::size_t parts = worth_threads(count_, threads_);
     cuts_.assign(1, 0);
     for (std::size_t part = 1; part < parts; ++part) {
-      const auto cut = std::ranges::lower_bound(first_, count_ * part / parts);
-      cuts_.push_back(static_cast<std::size_t>(cut - first_.begin()));
+      const auto cut = std::ranges::lower_bound(end_, count_ * part / parts);
+      cuts_.push_back(static_cast<std::size_t>(cut - end_.begin()));
     }
-    cuts_.push_back(first_.size() - 1);
+    cuts_.push_back(bucket_count_);
   }
   /// Calls work(begin, end) on each share, on a thread of its own.
   template <class Work>
@@ -129,103 +133,96 @@ class Output {
     parallel_each(cuts_.size() - 1, [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
   }
 
-  /// Puts facets into their buckets, and the ends of the buckets into first_. Each thread reads all
+  /// Lists the facets by bucket and puts the ends of the buckets into end_. Each thread reads all
   /// facets for those of its share: two that fill one bucket wait for each other's cache lines, and
   /// are slower than one.
-  void scatter(LargeArray<Corners>& tets) {
+  void fill_buckets() {
     facet_at_.resize(count_);
-    placed_.resize(facet_count_);
     for_each_share([&](std::size_t begin, std::size_t end) {
-      for (FacetIndex f = 0; f < facet_count_; ++f) {
+      for (FacetIndex f = 0; f < facets_.capacity(); ++f) {
         if (!facets_[f].lives()) continue;
-        const std::size_t b = bucket(f);
-        if (b < begin || b >= end) continue;
-        const std::uint32_t at = first_[b]++;
-        placed_[f].places = put_in_order(facets_[f].corners, tets[at]);
-        facet_at_[at] = f;
+        const std::size_t b = bucket(facets_[f]);
+        if (b >= begin && b < end) facet_at_[end_[b]++] = f;
       }
     });
   }
 
-  void sort_buckets(LargeArray<Corners>& tets) {
-    for_each_share([&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) {
-        sort_bucket(tets, b == 0 ? 0 : first_[b - 1], first_[b]);
-      }
-    });
-  }
-
-  /// Sorts by the second and third corner: no two tetrahedra have the same first three, because
-  /// those around an edge, as they are oriented, lead from each third corner to one fourth.
-  void sort_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
+  /// Writes the tetrahedra of a bucket.
+  void put_in_order(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t size = end - begin;
-    if (size > kFew) {
-      sort_large_bucket(tets, begin, end);
-      return;
-    }
+    if (size > kFew) return put_many_in_order(hull, begin, end);
     // Counts how many come before each: no branch depends on the order they are in.
     std::array<Item, kFew> items;
+    std::array<std::uint64_t, kFew> keys;
     std::array<std::uint32_t, kFew> before;
     for (std::uint32_t i = 0; i < size; ++i) {
-      items[i] = item(tets, begin + i);
+      items[i] = item(begin + i);
+      keys[i] = items[i].key();
       std::uint32_t smaller = 0;
       for (std::uint32_t k = 0; k < i; ++k) {
-        const bool less = items[k].key < items[i].key;
+        const bool less = keys[k] < keys[i];
         smaller += less;
         before[k] += !less;
       }
       before[i] = smaller;
     }
-    for (std::uint32_t i = 0; i < size; ++i) put(items[i], tets, begin + before[i]);
+    for (std::uint32_t i = 0; i < size; ++i) put(items[i], hull, begin + before[i]);
   }
 
-  void sort_large_bucket(LargeArray<Corners>& tets, std::uint32_t begin, std::uint32_t end) {
+  void put_many_in_order(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
     std::vector<Item> items;
-    for (std::uint32_t i = begin; i < end; ++i) items.push_back(item(tets, i));
-    std::sort(items.begin(), items.end(),
-              [](const Item& a, const Item& b) { return a.key < b.key; });
-    for (std::uint32_t i = begin; i < end; ++i) put(items[i - begin], tets, i);
+    for (std::uint32_t i = begin; i < end; ++i) items.push_back(item(i));
+    std::ranges::sort(items, {}, &Item::key);
+    for (std::uint32_t i = begin; i < end; ++i) put(items[i - begin], hull, i);
   }
 
-  Item item(const LargeArray<Corners>& tets, std::uint32_t i) const {
-    const Corners& c = tets[i];
-    return {std::uint64_t{+c[1]} << 32 | +c[2], c, facet_at_[i]};
-  }
-  void put(const Item& item, LargeArray<Corners>& tets, std::uint32_t at) {
-    tets[at] = item.corners;
-    facet_at_[at] = item.facet;
-    placed_[item.facet].tet = at;
+  Item item(std::uint32_t i) const {
+    __builtin_prefetch(&facets_[facet_at_[std::min(i + kAhead, count_ - 1)]]);
+    Item item;
+    item.facet = facet_at_[i];
+    item.places = hull::put_in_order(facets_[item.facet].corners, item.corners);
+    return item;
   }
 
-  void write_neighbors(LargeArray<std::array<FacetHandle, 4>>& neighbors) const {
+  /// Where it went takes the place of the facet's own corners.
+  void put(const Item& item, LiftedHull& hull, std::uint32_t at) {
+    hull.tets[at] = item.corners;
+    FacetLinks& facet = facets_[item.facet];
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      hull.neighbors[at][place(item.places, i)] = facet.neighbors[i];
+    }
+    facet.corners = {at, item.places};
+  }
+
+  /// From ridges of facets to facets of tetrahedra.
+  void number_neighbors(LargeArray<std::array<FacetHandle, 4>>& neighbors) const {
     parallel_ranges(count_, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
-        const FacetIndex f = facet_at_[t];
-        const Places places = placed_[f].places;
+        const auto& later = neighbors[std::min(t + kAhead, end - 1)];
         for (std::uint32_t i = 0; i < 4; ++i) {
-          const Ridge r = facets_[f].neighbors[i];
-          const Placed& g = placed_[facet_of(r)];
-          neighbors[t][place(places, i)] = 4 * g.tet + place(g.places, corner_of(r));
+          __builtin_prefetch(&facets_[facet_of(later[i])]);
+          const Ridge r = neighbors[t][i];
+          const auto [tet, places, unused, none] = facets_[facet_of(r)].corners;
+          neighbors[t][i] = 4 * tet + place(static_cast<Places>(places), corner_of(r));
         }
       }
     });
   }
 
-  LargeBlock<FacetLinks> facets_;
   int threads_;
-  std::size_t facet_count_;          ///< living and dead
+  std::size_t bucket_count_;
+  LargeBlock<FacetLinks> facets_;    ///< living and dead
   std::size_t count_ = 0;            ///< living
-  LargeArray<std::uint32_t> first_;  ///< per bucket
+  LargeArray<std::uint32_t> end_;    ///< per bucket
   std::vector<std::size_t> cuts_;    ///< buckets that begin a share, and the end
-  LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron of the result
-  LargeArray<Placed> placed_;        ///< per facet that lives
+  LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron, in the order of buckets
 };
 
 }  // namespace
 
-LiftedHull output(LargeBlock<FacetLinks> facets, std::size_t site_count, int threads,
+LiftedHull output(Facets& facets, std::size_t site_count, int threads,
                   const std::function<void(double)>& progress) {
-  return Output(std::move(facets), site_count, threads).run(progress);
+  return Output(facets, site_count, threads).run(progress);
 }
 
 }  // namespace tetsculpt::hull

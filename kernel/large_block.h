@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <new>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "kernel/large_array.h"
+#include "kernel/parallel.h"
 
 namespace tetsculpt {
 
@@ -51,14 +53,24 @@ class LargeBlock {
   }
 
   /// Of the first `count` elements one member, one behind the other in the same memory; lets go of
-  /// the rest.
-  template <class Part>
-  LargeBlock<Part> reduced_to(Part T::*part, std::size_t count) && {
-    static_assert(sizeof(Part) <= sizeof(T));
+  /// the rest. On up to `threads` threads, each(thread, part) is called with every one.
+  template <class Part, class Each>
+  LargeBlock<Part> reduced_to(Part T::*part, std::size_t count, int threads, Each&& each) && {
+    static_assert(2 * sizeof(Part) <= sizeof(T));
     auto* const bytes = reinterpret_cast<std::byte*>(data_);
-    for (std::size_t k = 0; k < count; ++k) {
-      const Part copy = data_[k].*part;
-      std::memcpy(bytes + k * sizeof(Part), &copy, sizeof(Part));
+    // Twice as many each time: [begin, 2 begin) go where those were that went before.
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < count; begin = end) {
+      end = begin == 0 ? 1 : std::min(2 * begin, count);
+      const std::size_t parts = worth_threads(end - begin, threads);
+      const auto cut = [&](std::size_t thread) { return begin + (end - begin) * thread / parts; };
+      parallel_each(parts, [&](std::size_t thread) {
+        for (std::size_t k = cut(thread); k < cut(thread + 1); ++k) {
+          const Part copy = data_[k].*part;
+          std::memcpy(bytes + k * sizeof(Part), &copy, sizeof(Part));
+          each(thread, copy);
+        }
+      });
     }
     LargeBlock<Part> parts;
     parts.large_ = large_;

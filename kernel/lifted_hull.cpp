@@ -160,7 +160,7 @@ class Construction {
     if (options_.progress) {
       progress = [&](double share) { options_.progress(kInserting + (1 - kInserting) * share); };
     }
-    return hull::output(facets_.take_links(), points_.size(), options_.threads, progress);
+    return hull::output(facets_, points_.size(), options_.threads, progress);
   }
 
  private:
