@@ -99,10 +99,7 @@ bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
     facets_.grow(size_, std::max(end, 3 * facets_.capacity() / 2));
   }
   size_ = end;
-  for (std::size_t f = end; f-- > begin;) {
-    facets_[f].links.corners[0] = kNone;
-    free.push_back(static_cast<FacetIndex>(f));
-  }
+  for (std::size_t f = end; f-- > begin;) free.push_back(static_cast<FacetIndex>(f));
   return true;
 }
 

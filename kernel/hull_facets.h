@@ -113,8 +113,9 @@ class Facets {
   Facets(std::span<const Point3> sites, double unit);
 
   std::size_t size() const { return size_; }
-  /// Appends at least so many facets, of which nothing is set but a first corner of kNone, to a
-  /// list. While shared, facets may not move in memory: false if they would have to.
+  /// Appends at least so many facets, of which nothing is set, to a list: whoever has it sees to it
+  /// that they don't seem to live. While shared, facets may not move in memory: false if they would
+  /// have to.
   bool append(std::size_t count, std::vector<FacetIndex>& free);
   /// Leaves no facet here; gives away the memory of their hyperplanes. On up to `threads` threads,
   /// seen(thread, links) is called for each.
@@ -138,6 +139,7 @@ class Facets {
 
   const Point3& point(Site s) const { return sites_[s]; }
   bool lives(FacetIndex f) const { return facets_[f].links.lives(); }
+  void set_dead(FacetIndex f) { corners(f)[0] = kNone; }
   bool infinite(FacetIndex f) const { return facets_[f].links.infinite(); }
 
   /// Sets the hyperplane through the facet's first corner and three others, in their order; a null

@@ -31,6 +31,10 @@ Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<F
       number_of_(points.size() + 1, 0),
       half_ridge_(kLargeCone * kLargeCone) {}
 
+void Inserter::mark_free() {
+  for (const FacetIndex f : free_) facets_.set_dead(f);
+}
+
 Inserter Inserter::helper(SiteRange own) {
   Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_);
   helper.own_ = own;
@@ -260,7 +264,7 @@ void Inserter::make_cone(Site apex) {
   set_geometry(apex, count);
   if (visible_.size() > horizon_.size()) {
     for (std::size_t k = horizon_.size(); k < visible_.size(); ++k) {
-      facets_.corners(visible_[k])[0] = kNone;
+      facets_.set_dead(visible_[k]);
       free_.push_back(visible_[k]);
     }
   }

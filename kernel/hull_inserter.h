@@ -64,6 +64,9 @@ class Inserter {
   /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes().
   Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
            bool by_four);
+  /// Facets that are at hand for the next insertions don't live. They are not told apart one by one
+  /// when they are appended, which would sweep the nearest cache: 6 % of the hull.
+  void mark_free();
   /// One with a range of its own that goes on from here, as this one can only by take_over().
   Inserter helper(SiteRange own);
   /// Goes on from where a helper ended.

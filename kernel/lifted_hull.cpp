@@ -156,6 +156,7 @@ class Construction {
 
   LiftedHull result() {
     report(0);  // all are in: the rounds' sizes are in done_
+    inserter_.mark_free();
     std::function<void(double)> progress;
     if (options_.progress) {
       progress = [&](double share) { options_.progress(kInserting + (1 - kInserting) * share); };
@@ -191,6 +192,7 @@ class Construction {
   void insert_in_parallel(std::span<const Site> round, std::size_t threads) {
     const auto cut = [&](std::size_t t) { return round.size() * t / threads; };
     std::vector<Inserter> inserters;
+    inserter_.mark_free();
     for (std::size_t t = 0; t < threads; ++t) {
       const hull::SiteRange own{t == 0 ? 0 : round[cut(t)],
                                 t + 1 == threads ? kAtInfinity : round[cut(t + 1)]};
