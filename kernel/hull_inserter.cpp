@@ -88,8 +88,8 @@ bool Inserter::insert_farthest(FacetIndex seen) {
   const Slot slot = pick_apex(seen);
   const Site apex = batch_[slot];
   if (!find_horizon(apex, seen)) return false;
-  const std::size_t at_hand = free_.size() + visible_.size();
-  if (at_hand < horizon_.size() && !facets_.append(horizon_.size() - at_hand, free_)) return false;
+  if (free_.size() < cut_.size() && !facets_.append(cut_.size() - free_.size(), free_))
+    return false;
   collect_orphans(slot);
   make_cone(apex);
   reassign_conflicts();
@@ -103,15 +103,6 @@ Inserter::Slot Inserter::pick_apex(FacetIndex f) const {
     if (apex == kNone || conflicts_[k].height > conflicts_[apex].height) apex = k;
   }
   return apex;
-}
-
-/// The apex takes the place of the corner opposite; a double exchange, which keeps the orientation,
-/// puts it first.
-inline Inserter::HorizonRidge Inserter::horizon_ridge(const CutRidge& ridge) const {
-  static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
-  const auto& c = facets_.corners(facet_of(ridge.inner));
-  const auto& others = kOthers[corner_of(ridge.inner)];
-  return {{c[others[0]], c[others[1]], c[others[2]]}, ridge.outer};
 }
 
 /// Grows the visible region from a facet that the apex sees, in waves: what a wave's neighbours are
@@ -195,19 +186,16 @@ void Inserter::decide(Site apex, const FacetIndex* four, Seen& sees) const {
 
 /// The horizon: the ridges between a visible facet and a hidden one.
 inline void Inserter::cut_out() {
-  CutRidge* const cut = cut_.room_for(4 * visible_.size() + 1);
+  Ridge* const cut = cut_.room_for(4 * visible_.size() + 1);
   const std::uint32_t hidden = is_hidden();
   std::size_t size = 0;
   for (const FacetIndex f : visible_) {
-    const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
     for (std::uint32_t i = 0; i < 4; ++i) {
-      cut[size] = {ridge(f, i), neighbors[i]};
-      size += facets_.mark(facet_of(neighbors[i])) == hidden;
+      cut[size] = ridge(f, i);
+      size += facets_.mark(facet_of(facets_.neighbors(f)[i])) == hidden;
     }
   }
-  horizon_.clear();
-  horizon_.make_room(size);
-  for (std::size_t k = 0; k < size; ++k) horizon_.push(horizon_ridge(cut[k]));
+  cut_.hold(size);
 }
 
 void Inserter::collect_orphans(Slot apex) {
@@ -220,62 +208,81 @@ void Inserter::collect_orphans(Slot apex) {
   }
 }
 
-/// A facet for the k-th of the cone: one of the visible ones, which are gone, as long as there are
-/// any.
-inline FacetIndex Inserter::take_facet(std::size_t k) {
-  if (k < visible_.size()) return visible_[k];
-  const FacetIndex f = free_.back();
-  free_.pop_back();
-  return f;
-}
-
 /// Replaces the visible facets by one facet per horizon ridge, each with the apex as first corner.
 void Inserter::make_cone(Site apex) {
-  ConeFacet* const cone = cone_.room_for(horizon_.size());
-  Site* const ends = spoke_ends_.room_for(horizon_.size() / 2 + 6);  // by Euler's relation
-  std::uint64_t* const number_of = number_of_.data();
-  const std::uint64_t stamp = stamp_;
-  std::uint64_t count = 0;
+  const auto corner_count = static_cast<std::uint32_t>(cut_.size() / 2 + 2);  // Euler's relation
+  if (first_number_ > kNone - corner_count) {
+    std::ranges::fill(number_of_, 0);
+    first_number_ = 1;
+  }
+  if (corner_count <= kSmallCone) {
+    put_up_cone<kSmallCone>(apex);
+    link_cone<kSmallCone>();
+  } else if (corner_count <= kLargeCone) {
+    put_up_cone<kLargeCone>(apex);
+    link_cone<kLargeCone>();
+  } else {
+    put_up_cone<0>(apex);
+    link_large_cone();
+  }
+  first_number_ += corner_count;
+  set_geometry(apex, corner_count);
+  if (!own_.all()) {
+    for (const FacetIndex f : visible_) facets_.set_dead(f);
+  }
+  free_.resize(free_.size() - cone_.size());
+  free_.insert(free_.end(), visible_.begin(), visible_.end());
+  last_ = cone_[0].facet;
+}
+
+/// The cone's facets, linked to those outside; notes what is to be linked among them, see
+/// link_cone.
+template <std::size_t kStride>
+void Inserter::put_up_cone(Site apex) {
+  // The apex takes the place of the corner opposite; a double exchange, which keeps the
+  // orientation, puts it first. What was last stays last if it is there: it may be at infinity.
+  static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
+  ConeFacet* const cone = cone_.room_for(cut_.size());
+  const FacetIndex* const free = free_.data() + (free_.size() - cut_.size());
+  Site* const ends = spoke_ends_.room_for(cut_.size() / 2 + 6);
+  std::uint32_t* const number_of = number_of_.data();
+  Ridge* const half_ridge = half_ridge_.data();
+  const std::uint32_t first = first_number_;
+  std::uint32_t count = 0;
   // The number of a corner of the horizon, a new one if it has none: no branch depends on that.
   const auto number = [&](Site s) {
-    std::uint64_t& known = number_of[s == kAtInfinity ? points_.size() : s];
-    const bool is_new = known >> 32 != stamp;
-    known = is_new ? stamp << 32 | count : known;
-    ends[count] = s == kAtInfinity ? apex : s;
+    std::uint32_t& known = number_of[Site{s + 1}];
+    const bool is_new = known < first;
+    known = is_new ? first + count : known;
+    ends[count] = s;
     count += is_new;
-    return static_cast<std::uint32_t>(known);
+    return known - first;
   };
-  for (std::size_t k = 0; k < horizon_.size(); ++k) {
-    auto [a, b, c] = horizon_[k].corners;
-    const Ridge outer = horizon_[k].outer;
-    // A cyclic exchange keeps the orientation: bring the site at infinity last.
-    if (a == kAtInfinity) {
-      a = b, b = c, c = kAtInfinity;
-    } else if (b == kAtInfinity) {
-      b = a, a = c, c = kAtInfinity;
-    }
-    const FacetIndex f = take_facet(k);
+  for (std::size_t k = 0; k < cut_.size(); ++k) {
+    const Ridge inner = cut_[k];
+    const FacetLinks& seen = facets_[facet_of(inner)].links;
+    const Ridge outer = seen.neighbors[corner_of(inner)];
+    const auto& others = kOthers[corner_of(inner)];
+    const Site a = seen.corners[others[0]];
+    const Site b = seen.corners[others[1]];
+    const Site c = seen.corners[others[2]];
+    const FacetIndex f = free[k];
     facets_.corners(f) = {apex, a, b, c};
     facets_.neighbors(f)[0] = outer;
     facets_.neighbors(facet_of(outer))[corner_of(outer)] = ridge(f, 0);
-    cone[k] = {f, {number(a), number(b), number(c)}};
-  }
-  cone_.hold(horizon_.size());
-  set_geometry(apex, count);
-  if (visible_.size() > horizon_.size()) {
-    for (std::size_t k = horizon_.size(); k < visible_.size(); ++k) {
-      facets_.set_dead(visible_[k]);
-      free_.push_back(visible_[k]);
+    const std::uint32_t i = number(a);
+    const std::uint32_t j = number(b);
+    const std::uint32_t l = number(c);
+    cone[k] = {f, {i, j, l}};
+    if constexpr (kStride > 0) {
+      half_ridge[j * kStride + l] = ridge(f, 1);
+      half_ridge[l * kStride + i] = ridge(f, 2);
+      half_ridge[i * kStride + j] = ridge(f, 3);
     }
   }
-  if (count <= kSmallCone) {
-    link_cone<kSmallCone>();
-  } else if (count <= kLargeCone) {
-    link_cone<kLargeCone>();
-  } else {
-    link_large_cone();
-  }
-  last_ = cone_[0].facet;
+  assert(count == cut_.size() / 2 + 2);
+  if (number_of[0] >= first) ends[number_of[0] - first] = apex;
+  cone_.hold(cut_.size());
 }
 
 /// The hyperplanes of the cone, which has so many corners besides the apex.
@@ -297,13 +304,7 @@ void Inserter::set_geometry(Site apex, std::size_t corner_count) {
 /// pairs of numbers, in which every entry read was written just before.
 template <std::size_t kStride>
 void Inserter::link_cone() {
-  Ridge* const half_ridge = half_ridge_.data();
-  for (const auto& [f, numbers] : cone_) {
-    const auto [a, b, c] = numbers;
-    half_ridge[b * kStride + c] = ridge(f, 1);
-    half_ridge[c * kStride + a] = ridge(f, 2);
-    half_ridge[a * kStride + b] = ridge(f, 3);
-  }
+  const Ridge* const half_ridge = half_ridge_.data();
   for (const auto& [f, numbers] : cone_) {
     const auto [a, b, c] = numbers;
     auto& neighbors = facets_.neighbors(f);

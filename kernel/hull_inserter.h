@@ -85,16 +85,6 @@ class Inserter {
     FacetIndex facet = kNone;  ///< kNone once the point is in
     double height = 0;         ///< above that facet's hyperplane, up to rounding
   };
-  /// A ridge between a visible facet and one that is not.
-  struct CutRidge {
-    Ridge inner;  ///< seen from the visible facet
-    Ridge outer;  ///< the same, seen from the other side
-  };
-  /// The same as the cone's new facet will hold it.
-  struct HorizonRidge {
-    std::array<Site, 3> corners;  ///< with the apex first, these make a positively oriented facet
-    Ridge outer;                  ///< seen from the facet that stays
-  };
 
   bool own(FacetIndex f) const;
   /// The marks of what the insertion under way has met.
@@ -108,7 +98,6 @@ class Inserter {
   void sort_met(Site apex);
   void decide(Site apex, const FacetIndex* four, Seen& sees) const;
   void cut_out();
-  HorizonRidge horizon_ridge(const CutRidge& ridge) const;
   void make_cone(Site apex);
   void set_geometry(Site apex, std::size_t corner_count);
   void reassign_conflicts();
@@ -118,7 +107,8 @@ class Inserter {
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
   void add_conflict(Slot k, FacetIndex f);
   void collect_orphans(Slot apex);
-  FacetIndex take_facet(std::size_t k);
+  template <std::size_t kStride>
+  void put_up_cone(Site apex);
   template <std::size_t kStride>
   void link_cone();
   void link_large_cone();
@@ -140,16 +130,16 @@ class Inserter {
   Stack<FacetIndex> visible_;
   Stack<FacetIndex> met_;  ///< by the wave under way, for the first time
   Stack<Seen> sees_;       ///< per four of them
-  Stack<CutRidge> cut_;
-  Stack<HorizonRidge> horizon_;
+  Stack<Ridge> cut_;       ///< between a visible facet and one that is not, seen from the former
   Stack<Slot> orphans_;
   Stack<ConeFacet> cone_;   ///< per horizon ridge
   Stack<Spoke> spokes_;     ///< per number, from the apex to the corner
   Stack<Site> spoke_ends_;  ///< the corners' sites
-  /// Per site and, last, the one at infinity: the stamp of the insertion in which it counts, and
-  /// its number.
-  LargeArray<std::uint64_t> number_of_;
-  std::vector<Ridge> half_ridge_;  ///< per ordered pair of numbers
+  /// Per site, after the one at infinity: its number among the corners of the last horizon it was
+  /// on and the first_number_ of that, which is more than all of any before.
+  LargeArray<std::uint32_t> number_of_;
+  std::uint32_t first_number_ = kNone - 1000;  ///< so that every hull begins anew once
+  std::vector<Ridge> half_ridge_;              ///< per ordered pair of numbers
 };
 
 }  // namespace tetsculpt::hull
