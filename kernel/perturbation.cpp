@@ -19,9 +19,8 @@ namespace {
 template <std::size_t N>
 class Dominance {
  public:
-  explicit Dominance(const std::array<const Point3*, N>& points) : points_(points) {
-    for (std::size_t i = 0; i < N; ++i) x_[i] = points[i]->x;
-  }
+  template <class... Points>
+  explicit Dominance(const Points&... points) : points_{&points...}, x_{points.x...} {}
 
   /// Precondition: called at most N times.
   std::size_t next() {
@@ -69,7 +68,7 @@ bool perturbed_inside(const Point3& a, const Point3& b, const Point3& c, const P
         return Sign::kNegative;
     }
   };
-  Dominance<5> order({&a, &b, &c, &d, &e});
+  Dominance<5> order(a, b, c, d, e);
   Sign s = Sign::kZero;
   while (s == Sign::kZero) s = coefficient(order.next());
   return s == Sign::kPositive;
@@ -85,7 +84,7 @@ bool in_perturbed_equatorial_sphere(const Point3& a, const Point3& b, const Poin
                                     const Point3& p) {
   const Sign side = in_equatorial_sphere(a, b, c, p);
   if (side != Sign::kZero) return side == Sign::kPositive;
-  Dominance<4> order({&a, &b, &c, &p});
+  Dominance<4> order(a, b, c, p);
   for (;;) {
     const std::size_t argument = order.next();
     if (argument == 3) return false;
