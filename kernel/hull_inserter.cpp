@@ -23,11 +23,12 @@ constexpr std::size_t in_fours(std::size_t n) { return (n + 3) & ~std::size_t{3}
 }  // namespace
 
 Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
-                   bool by_four)
+                   bool by_four, std::span<FacetIndex> known)
     : points_(points),
       facets_(facets),
       by_four_(by_four),
       free_(std::move(free)),
+      known_(known),
       number_of_(points.size() + 1, 0),
       half_ridge_(kLargeCone * kLargeCone) {}
 
@@ -36,16 +37,18 @@ void Inserter::mark_free() {
 }
 
 Inserter Inserter::helper(SiteRange own) {
-  Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_);
+  Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_, known_);
   helper.own_ = own;
   helper.stamp_ = stamp_;
   helper.last_ = kNone;
-  helper.known_.assign(std::min<std::size_t>(own.end, points_.size()) - own.begin, kNone);
-  for (FacetIndex f = 0; f < facets_.size(); ++f) {
-    if (!facets_.lives(f) || facets_.infinite(f) || !helper.own(f)) continue;
-    for (const Site s : facets_.corners(f)) helper.known_[s - own.begin] = f;
-  }
   return helper;
+}
+
+void Inserter::look_around() {
+  for (Site s = 0; s < known_.size(); ++s) {
+    if (!own_.contains(s) || known_[s] == kNone) continue;
+    if (!at_site(known_[s], s) || !own(known_[s])) known_[s] = kNone;
+  }
 }
 
 void Inserter::take_over(const Inserter& helper) {
@@ -57,6 +60,11 @@ void Inserter::take_over(const Inserter& helper) {
 bool Inserter::own(FacetIndex f) const {
   return own_.all() ||
          std::ranges::all_of(facets_.corners(f), [&](Site s) { return own_.contains(s); });
+}
+
+/// Whether it lives and is at that site.
+bool Inserter::at_site(FacetIndex f, Site s) const {
+  return facets_.lives(f) && std::ranges::find(facets_.corners(f), s) != facets_.corners(f).end();
 }
 
 void Inserter::insert(std::span<const Site> batch) {
@@ -233,6 +241,7 @@ void Inserter::make_cone(Site apex) {
   free_.resize(free_.size() - cone_.size());
   free_.insert(free_.end(), visible_.begin(), visible_.end());
   last_ = cone_[0].facet;
+  if (!known_.empty()) known_[apex] = last_;
 }
 
 /// The cone's facets, linked to those outside; notes what is to be linked among them, see
@@ -370,14 +379,10 @@ FacetIndex Inserter::locate(Site q) const {
   int tries = 3;
   FacetIndex found = last_ == kNone ? kNone : walk(q, last_);
   if (own_.all()) return found;
-  const Site end = q - std::min(q - own_.begin, kBack);
-  for (Site s = q; found == kNone && s > end && tries > 0; --s) {
-    const FacetIndex f = known_[s - 1 - own_.begin];
-    if (f == kNone || !facets_.lives(f) ||
-        std::ranges::find(facets_.corners(f), s - 1) == facets_.corners(f).end()) {
-      continue;
-    }
-    found = walk(q, f);
+  const Site end = q - std::min(q, kBack);
+  for (Site s = q; found == kNone && s-- > end && own_.contains(s) && tries > 0;) {
+    if (known_[s] == kNone || !at_site(known_[s], s)) continue;
+    found = walk(q, known_[s]);
     --tries;
   }
   return found;

@@ -14,11 +14,12 @@
 /// Quickhull on one batch of points at a time. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
-/// The sites [begin, end), which one thread may touch; the one at infinity is everybody's.
+/// The sites [begin, end), which one thread may touch; the one at infinity is everybody's. Where
+/// end comes before begin: those from begin and those before end.
 struct SiteRange {
   Site begin = 0;
   Site end = kAtInfinity;
-  bool contains(Site s) const { return (s >= begin && s < end) || s == kAtInfinity; }
+  bool contains(Site s) const { return Site{s - begin} < Site{end - begin} || s == kAtInfinity; }
   bool all() const { return begin == 0 && end == kAtInfinity; }
 };
 
@@ -61,14 +62,18 @@ class Inserter {
   /// How many points may be in conflict sets at a time.
   static constexpr std::size_t kBatch = 2;
 
-  /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes().
+  /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes(). `known`, if
+  /// there will be helpers, holds a facet per site that has one, or kNone.
   Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
-           bool by_four);
+           bool by_four, std::span<FacetIndex> known);
   /// Facets that are at hand for the next insertions don't live. They are not told apart one by one
   /// when they are appended, which would sweep the nearest cache: 6 % of the hull.
   void mark_free();
-  /// One with a range of its own that goes on from here, as this one can only by take_over().
+  /// One with a range of its own that goes on from here, as this one can only by take_over(). It
+  /// must look_around() before anything is inserted.
   Inserter helper(SiteRange own);
+  /// Finds out which of the facets that it knows are left. All helpers may do so at a time.
+  void look_around();
   /// Goes on from where a helper ended.
   void take_over(const Inserter& helper);
 
@@ -87,6 +92,7 @@ class Inserter {
   };
 
   bool own(FacetIndex f) const;
+  bool at_site(FacetIndex f, Site s) const;
   /// The marks of what the insertion under way has met.
   std::uint32_t is_hidden() const { return stamp_; }
   std::uint32_t is_visible() const { return stamp_ + 1; }
@@ -120,9 +126,9 @@ class Inserter {
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
   std::vector<FacetIndex> free_;  ///< facets that died without a successor, or were never used
-  /// Per site of a helper's range, a facet that was at it when the helper began; it may be gone or
-  /// another one since.
-  std::vector<FacetIndex> known_;
+  /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
+  /// are no helpers.
+  std::span<FacetIndex> known_;
   std::vector<Site> deferred_;
   std::span<const Site> batch_;
   std::array<Conflict, kBatch> conflicts_{};

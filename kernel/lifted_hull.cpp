@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -135,8 +136,9 @@ class Construction {
       : points_(points),
         options_(options),
         facets_(points, std::ldexp(1.0, unit_exponent(points))),
+        known_(options.threads > 1 ? points.size() : 0, hull::kNone),
         inserter_(points, facets_, make_simplex(facets_, simplex),
-                  options.four_lanes && hull::has_four_lanes()) {
+                  options.four_lanes && hull::has_four_lanes(), known_) {
     facets_.remember_sphere(simplex);
   }
 
@@ -170,10 +172,12 @@ class Construction {
   /// Rounds of fewer points per thread are one thread's.
   static constexpr std::size_t kWorthAThread = 8192;
 
-  /// Tells how many points of the round are in. May throw, see LiftedHullOptions.
-  void report(std::size_t in_round) const {
+  /// Tells how many points of the round are in, if that is more than before. May throw, see
+  /// LiftedHullOptions.
+  void report(std::size_t in_round) {
     if (!options_.progress) return;
-    options_.progress(kInserting * static_cast<double>(done_ + in_round) /
+    told_ = std::max(told_, done_ + in_round);
+    options_.progress(kInserting * static_cast<double>(told_) /
                       static_cast<double>(points_.size()));
   }
 
@@ -187,49 +191,61 @@ class Construction {
     }
   }
 
-  /// Each thread inserts a stretch of the curve, as far as it meets no other's; what is left comes
-  /// after.
+  /// Each thread inserts a stretch of the curve, as far as it meets no other's. What is left then
+  /// comes in stretches that begin halfway; what is still left, after that.
   void insert_in_parallel(std::span<const Site> round, std::size_t threads) {
-    const auto cut = [&](std::size_t t) { return round.size() * t / threads; };
-    std::vector<Inserter> inserters;
-    inserter_.mark_free();
-    for (std::size_t t = 0; t < threads; ++t) {
-      const hull::SiteRange own{t == 0 ? 0 : round[cut(t)],
-                                t + 1 == threads ? kAtInfinity : round[cut(t + 1)]};
-      inserters.push_back(inserter_.helper(own));
+    std::vector<Site> cuts(threads, 0);
+    for (std::size_t t = 1; t < threads; ++t) cuts[t] = round[round.size() * t / threads];
+    std::vector<Site> left = insert_stretches(round, cuts, 0);
+    if (left.size() / threads >= kWorthAThread) {
+      for (std::size_t t = 0; t < threads; ++t) {
+        const std::size_t end = t + 1 == threads ? points_.size() : cuts[t + 1];
+        cuts[t] = static_cast<Site>((cuts[t] + end) / 2);
+      }
+      left = insert_stretches(left, cuts, round.size() - left.size());
     }
+    insert(left, inserter_, [&](std::size_t k) { report(round.size() - left.size() + k); });
+  }
+
+  /// A stretch begins at each cut, the last one goes on at the curve's beginning. What no stretch
+  /// could hold comes back. So many sites of the round are in already.
+  std::vector<Site> insert_stretches(std::span<const Site> sites, std::span<const Site> cuts,
+                                     std::size_t in) {
+    const std::size_t threads = cuts.size();
+    inserter_.mark_free();
+    std::vector<Inserter> inserters;
+    std::vector<std::vector<Site>> own(threads);
+    for (std::size_t t = 0; t < threads; ++t) {
+      const hull::SiteRange range{cuts[t], cuts[(t + 1) % threads]};
+      inserters.push_back(inserter_.helper(range));
+      std::ranges::copy_if(sites, std::back_inserter(own[t]),
+                           [&](Site s) { return range.contains(s); });
+    }
+    parallel_each(threads, [&](std::size_t t) { inserters[t].look_around(); });
     facets_.share();
     std::atomic<bool> cancelled = false;
     parallel_each(threads, [&](std::size_t t) {
-      insert(round.subspan(cut(t), cut(t + 1) - cut(t)), inserters[t], [&](std::size_t k) {
+      insert(own[t], inserters[t], [&](std::size_t k) {
         if (t == 0) {
-          report_or_set(cancelled, k);
+          report_or_set(cancelled, in + k);
         } else if (cancelled) {
           throw Cancelled();
         }
       });
     });
     facets_.unshare();
-    for (const Inserter& helper : inserters) inserter_.take_over(helper);
-    insert_deferred(inserters, round.size(), cut(1));
-  }
-
-  /// What no stretch could hold. `told` is the most that was told of the round so far.
-  void insert_deferred(const std::vector<Inserter>& inserters, std::size_t round_size,
-                       std::size_t told) {
-    std::size_t left = 0;
-    for (const Inserter& helper : inserters) left += helper.deferred().size();
+    std::vector<Site> left;
     for (const Inserter& helper : inserters) {
-      const std::size_t in = round_size - left;
-      insert(helper.deferred(), inserter_, [&](std::size_t k) { report(std::max(told, in + k)); });
-      left -= helper.deferred().size();
+      inserter_.take_over(helper);
+      left.insert(left.end(), helper.deferred().begin(), helper.deferred().end());
     }
+    return left;
   }
 
   /// Ends the other threads; the first one's exception is the one that is seen.
   struct Cancelled {};
 
-  void report_or_set(std::atomic<bool>& cancelled, std::size_t in_round) const {
+  void report_or_set(std::atomic<bool>& cancelled, std::size_t in_round) {
     try {
       report(in_round);
     } catch (...) {
@@ -241,8 +257,10 @@ class Construction {
   std::span<const Point3> points_;
   const LiftedHullOptions& options_;
   Facets facets_;
+  LargeArray<FacetIndex> known_;  ///< see Inserter
   Inserter inserter_;
-  std::size_t done_ = 0;
+  std::size_t done_ = 0;  ///< by whole rounds
+  std::size_t told_ = 0;
 };
 
 }  // namespace
