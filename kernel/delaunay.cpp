@@ -20,7 +20,7 @@ TetComplex delaunay(const DistinctPoints& points, const DelaunayOptions& options
   LiftedHull hull = lifted_hull(points.points, {.threads = options.threads, .progress = progress});
   if (hull.tets.empty()) return {};
   if (progress) progress = [&](double in) { options.progress(kHullShare + (1 - kHullShare) * in); };
-  return TetComplex(std::move(hull), points.points.size(), progress);
+  return TetComplex(std::move(hull), points.points.size(), progress, options.threads);
 }
 
 }  // namespace tetsculpt

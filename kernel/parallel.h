@@ -13,6 +13,7 @@ namespace tetsculpt {
 /// Rethrows one exception of those thrown.
 template <class Work>
 void parallel_each(std::size_t count, Work&& work) {
+  if (count == 0) return;
   std::vector<std::exception_ptr> failures(count);
   const auto run = [&](std::size_t i) {
     try {

@@ -14,28 +14,13 @@
 #include "kernel/large_array.h"
 #include "kernel/lifted_hull.h"
 #include "kernel/point.h"
+#include "kernel/simplices.h"
+#include "kernel/tet_corners.h"
 
 /// The Delaunay complex with explicit vertices, edges, triangles and tetrahedra: the paper's data
-/// structure (section 4). It knows no coordinates.
+/// structure (section 4). It knows no coordinates. Infinite tetrahedra, with kInfinite as one
+/// corner, close it outside the convex hull: finite ones have ids below finite_tet_count().
 namespace tetsculpt {
-
-///        0          Tetrahedron (v0, v1, v2, v3): facet i is opposite corner i. orient3d of the
-///        corners
-///       /|\         is positive, and facet i listed as kFacetCorners[i] looks counterclockwise
-///       from
-///      / | \        outside. Edge k joins the corners kEdgeCorners[k]; edge 5 - k is opposite to
-///      it.
-///     1--|--3
-///      \ | /        Infinite tetrahedra, with kInfinite as one corner, close the complex outside
-///      the
-///        2          convex hull: finite ones have ids below finite_tet_count().
-inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetCorners{
-    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-inline constexpr std::array<std::array<std::uint8_t, 2>, 6> kEdgeCorners{
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-/// The edge that joins two corners of a tetrahedron.
-inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kEdgeOfCorners{
-    {{9, 0, 1, 2}, {0, 9, 3, 4}, {1, 3, 9, 5}, {2, 4, 5, 9}}};
 
 /// A facet as one tetrahedron sees it.
 struct Facet {
@@ -49,35 +34,37 @@ class TetComplex {
   TetComplex() = default;
   /// Takes the tetrahedra of a hull over `vertex_count` points, their corners in the order that
   /// LiftedHull promises, and finds its triangles and edges. `progress` is told now and then which
-  /// share of that is done, from 0 to 1, and may throw.
+  /// share of that is done, from 0 to 1, and may throw. The result does not depend on `threads`.
   /// Cost: linear; 8 to 10 words per tetrahedron.
   TetComplex(LiftedHull hull, std::size_t vertex_count,
-             const std::function<void(double)>& progress = {});
+             const std::function<void(double)>& progress = {}, int threads = 1);
 
   std::size_t vertex_count() const { return tet_of_vertex_.size(); }
-  std::size_t edge_count() const { return edges_.size(); }
-  std::size_t triangle_count() const { return facet_of_triangle_.size(); }
-  std::size_t finite_tet_count() const { return finite_count_; }
+  std::size_t edge_count() const { return simplices_.edges.size(); }
+  std::size_t triangle_count() const { return simplices_.facet_of_triangle.size(); }
+  std::size_t finite_tet_count() const { return hull_.finite_count; }
   /// Finite and infinite tetrahedra.
-  std::size_t tet_count() const { return tets_.size(); }
+  std::size_t tet_count() const { return hull_.tets.size(); }
 
-  bool finite(TetId t) const { return +t < finite_count_; }
-  const std::array<VertexId, 4>& vertices(TetId t) const { return tets_[+t]; }
+  bool finite(TetId t) const { return +t < hull_.finite_count; }
+  const std::array<VertexId, 4>& vertices(TetId t) const { return hull_.tets[+t]; }
   /// The facet opposite `corner`, as the tetrahedron on its other side sees it.
   Facet across(TetId t, int corner) const {
-    const FacetHandle h = neighbors_[+t][static_cast<std::size_t>(corner)];
+    const FacetHandle h = hull_.neighbors[+t][static_cast<std::size_t>(corner)];
     return {TetId{h >> 2}, static_cast<int>(h & 3)};
   }
   TetId neighbor(TetId t, int corner) const { return across(t, corner).tet; }
   /// Only finite triangles and edges have ids: precondition, their corners are finite.
   TriangleId triangle(TetId t, int corner) const {
-    return triangles_of_tet_[+t][static_cast<std::size_t>(corner)];
+    return simplices_.triangles_of_tet[+t][static_cast<std::size_t>(corner)];
   }
-  EdgeId edge(TetId t, int edge) const { return edges_of_tet_[+t][static_cast<std::size_t>(edge)]; }
+  EdgeId edge(TetId t, int edge) const {
+    return simplices_.edges_of_tet[+t][static_cast<std::size_t>(edge)];
+  }
 
   /// The triangle in its first tetrahedron, which is finite; across() gives the other one.
   Facet facet(TriangleId t) const {
-    const FacetHandle h = facet_of_triangle_[+t];
+    const FacetHandle h = simplices_.facet_of_triangle[+t];
     return {TetId{h >> 2}, static_cast<int>(h & 3)};
   }
   /// Corners, counterclockwise from outside the first tetrahedron.
@@ -86,9 +73,9 @@ class TetComplex {
   std::array<EdgeId, 3> edges(TriangleId t) const;
 
   /// The end points, lower id first.
-  const std::array<VertexId, 2>& vertices(EdgeId e) const { return edges_[+e].vertices; }
+  const std::array<VertexId, 2>& vertices(EdgeId e) const { return simplices_.edges[+e].vertices; }
   /// One triangle at the edge.
-  TriangleId triangle(EdgeId e) const { return edges_[+e].triangle; }
+  TriangleId triangle(EdgeId e) const { return simplices_.edges[+e].triangle; }
   /// Some finite tetrahedron at the vertex.
   TetId tet(VertexId v) const { return tet_of_vertex_[+v]; }
 
@@ -100,21 +87,8 @@ class TetComplex {
   void turn(EdgeId e, Visit&& visit) const;
 
  private:
-  struct Edge {
-    std::array<VertexId, 2> vertices;
-    TriangleId triangle;
-  };
-  void find_simplices(const std::function<void(double)>& progress);
-  void number_edges(std::span<const std::array<EdgeId, 2>> same,
-                    const LargeArray<std::uint8_t>& odd);
-
-  std::size_t finite_count_ = 0;
-  LargeArray<std::array<VertexId, 4>> tets_;
-  LargeArray<std::array<FacetHandle, 4>> neighbors_;
-  LargeArray<std::array<TriangleId, 4>> triangles_of_tet_;
-  LargeArray<std::array<EdgeId, 6>> edges_of_tet_;
-  LargeArray<FacetHandle> facet_of_triangle_;
-  LargeArray<Edge> edges_;
+  LiftedHull hull_;
+  Simplices simplices_;
   LargeArray<TetId> tet_of_vertex_;
 };
 
@@ -130,18 +104,18 @@ inline int corner_of(const std::array<VertexId, 4>& tet, VertexId v) {
 
 template <class Visit>
 void TetComplex::turn(EdgeId e, Visit&& visit) const {
-  const auto& [va, vb] = edges_[+e].vertices;
-  const Facet first = facet(edges_[+e].triangle);
+  const auto& [va, vb] = simplices_.edges[+e].vertices;
+  const Facet first = facet(simplices_.edges[+e].triangle);
   TetId t = first.tet;
   // The two other corners: leave through the facet opposite `behind`, which holds `ahead`.
   int behind = first.corner;
-  int ahead = 6 - corner_of(tets_[+t], va) - corner_of(tets_[+t], vb) - behind;
+  int ahead = 6 - corner_of(hull_.tets[+t], va) - corner_of(hull_.tets[+t], vb) - behind;
   do {
-    const VertexId third = tets_[+t][static_cast<std::size_t>(ahead)];
+    const VertexId third = hull_.tets[+t][static_cast<std::size_t>(ahead)];
     if (!visit(Facet{t, behind}, third)) return;
     const Facet next = across(t, behind);
     t = next.tet;
-    behind = corner_of(tets_[+t], third);
+    behind = corner_of(hull_.tets[+t], third);
     ahead = next.corner;
   } while (t != first.tet);
 }

@@ -1,11 +1,15 @@
-// The hull is bit for bit the same with any number of threads.
+// Hull and complex are bit for bit the same with any number of threads.
 #include <doctest/doctest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "kernel/delaunay.h"
 #include "kernel/distinct_points.h"
 #include "kernel/lifted_hull.h"
+#include "kernel/tet_complex.h"
 #include "tests/support/point_sets.h"
 #include "tests/support/random_cases.h"
 
@@ -27,6 +31,31 @@ std::vector<Set> large_sets() {
           {"grid of side 32", point_sets::grid(32)}};
 }
 
+/// How many tetrahedra, triangles and edges have other parts than in a complex of the same hull.
+std::size_t differing_simplices(const TetComplex& a, const TetComplex& b) {
+  if (a.tet_count() != b.tet_count() || a.triangle_count() != b.triangle_count() ||
+      a.edge_count() != b.edge_count()) {
+    return a.tet_count() + b.tet_count();
+  }
+  std::size_t differ = 0;
+  for (std::uint32_t t = 0; t < a.tet_count(); ++t) {
+    bool same = true;
+    for (int i = 0; i < 4; ++i) same &= a.triangle(TetId{t}, i) == b.triangle(TetId{t}, i);
+    for (int k = 0; k < 6; ++k) same &= a.edge(TetId{t}, k) == b.edge(TetId{t}, k);
+    differ += !same;
+  }
+  for (std::uint32_t t = 0; t < a.triangle_count(); ++t) {
+    const Facet f = a.facet(TriangleId{t});
+    const Facet g = b.facet(TriangleId{t});
+    differ += f.tet != g.tet || f.corner != g.corner;
+  }
+  for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
+    differ += a.vertices(EdgeId{e}) != b.vertices(EdgeId{e}) ||
+              a.triangle(EdgeId{e}) != b.triangle(EdgeId{e});
+  }
+  return differ;
+}
+
 TEST_CASE("the same tetrahedra in the same order, with the same neighbours") {
   for (const Set& set : testing::some_of(large_sets())) {
     const std::vector<Point3> points = distinct_points(set.points).points;
@@ -39,6 +68,19 @@ TEST_CASE("the same tetrahedra in the same order, with the same neighbours") {
       CHECK(hull.finite_count == expected.finite_count);
       CHECK((hull.tets == expected.tets));
       CHECK((hull.neighbors == expected.neighbors));
+    }
+  }
+}
+
+TEST_CASE("the same triangles and edges") {
+  for (const Set& set : testing::some_of(large_sets())) {
+    CAPTURE(set.name);
+    const DistinctPoints points = distinct_points(set.points);
+    const TetComplex expected = delaunay(points);
+    REQUIRE(expected.edge_count() > 0);
+    for (const int threads : {2, 3, 7}) {
+      CAPTURE(threads);
+      CHECK(differing_simplices(delaunay(points, {.threads = threads}), expected) == 0);
     }
   }
 }
