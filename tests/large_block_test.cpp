@@ -1,0 +1,65 @@
+// A block cut down to one member of its elements holds that of each, in their order.
+#include "kernel/large_block.h"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tetsculpt {
+namespace {
+
+struct Part {
+  std::uint64_t a = 0;
+  std::uint64_t b = 0;
+};
+
+struct Whole {
+  std::uint64_t before = 0;
+  Part part;
+  std::uint64_t after = 0;
+};
+
+/// Element k holds these; so that a part in a wrong place is seen.
+Whole whole(std::uint64_t k) { return {7 * k, {3 * k + 1, ~k}, 11 * k}; }
+
+/// How many parts are wrong, or were not passed to exactly one thread once.
+std::size_t wrong_parts(std::size_t count, int threads) {
+  LargeBlock<Whole> block(count + 5);
+  for (std::size_t k = 0; k < count; ++k) block[k] = whole(k);
+  std::vector<std::vector<int>> seen(static_cast<std::size_t>(threads), std::vector<int>(count, 0));
+  const LargeBlock<Part> parts = std::move(block).reduced_to(
+      &Whole::part, count, threads,
+      [&](std::size_t thread, const Part& part) { ++seen[thread][(part.a - 1) / 3]; });
+  REQUIRE(parts.capacity() == count);
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    int times = 0;
+    for (const auto& of_thread : seen) times += of_thread[k];
+    const Part expected = whole(k).part;
+    wrong += parts[k].a != expected.a || parts[k].b != expected.b || times != 1;
+  }
+  return wrong;
+}
+
+TEST_CASE("few elements, and so many that threads share them") {
+  for (const int threads : {1, 2, 3}) {
+    CAPTURE(threads);
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 100u, 4096u, 60000u, 100001u}) {
+      CAPTURE(count);
+      CHECK(wrong_parts(count, threads) == 0);
+    }
+  }
+}
+
+TEST_CASE("growing keeps what is used") {
+  LargeBlock<Whole> block(10);
+  for (std::size_t k = 0; k < 10; ++k) block[k] = whole(k);
+  block.grow(10, 100000);
+  REQUIRE(block.capacity() == 100000);
+  for (std::size_t k = 0; k < 10; ++k) CHECK(block[k].part.b == whole(k).part.b);
+}
+
+}  // namespace
+}  // namespace tetsculpt
