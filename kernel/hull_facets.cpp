@@ -95,12 +95,19 @@ bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
   const std::size_t end = begin + std::max(count, kBlock);
   if (end > kNone / 4) throw std::length_error("more than 2^30 tetrahedra");
   if (end > facets_.capacity()) {
+    full_ = shared_;
     if (shared_) return false;
     facets_.grow(size_, std::max(end, 3 * facets_.capacity() / 2));
   }
   size_ = end;
   for (std::size_t f = end; f-- > begin;) free.push_back(static_cast<FacetIndex>(f));
   return true;
+}
+
+void Facets::unshare() {
+  shared_ = false;
+  if (full_) facets_.grow(size_, 3 * facets_.capacity() / 2);
+  full_ = false;
 }
 
 void Facets::remember_sphere(const std::array<Site, 4>& simplex) {

@@ -82,7 +82,7 @@ struct FacetLinks {
   std::array<Site, 4> corners;
   std::array<Ridge, 4> neighbors;
   bool infinite() const { return corners[3] == kAtInfinity; }
-  /// What is free has no first corner.
+  /// What is dead has no first corner; of those that are free see Inserter::mark_free.
   bool lives() const { return corners[0] != kNone; }
 };
 
@@ -128,7 +128,7 @@ class Facets {
   void remember_sphere(const std::array<Site, 4>& simplex);
   /// Between these, several threads may append.
   void share() { shared_ = true; }
-  void unshare() { shared_ = false; }
+  void unshare();
 
   const Facet& operator[](FacetIndex f) const { return facets_[f]; }
   std::array<Site, 4>& corners(FacetIndex f) { return facets_[f].links.corners; }
@@ -186,6 +186,7 @@ class Facets {
   std::span<const Point3> sites_;
   std::vector<bool> on_sphere_;  ///< per site, if many are
   bool shared_ = false;
+  bool full_ = false;  ///< some thread was told that there is no room
   std::mutex growing_;
   double reach_;                 ///< as large as the set, a power of two
   double per_reach_;             ///< 1 / reach_

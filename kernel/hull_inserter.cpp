@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "kernel/predicates.h"
@@ -41,6 +40,7 @@ Inserter Inserter::helper(SiteRange own) {
   helper.own_ = own;
   helper.stamp_ = stamp_;
   helper.last_ = kNone;
+  helper.first_number_ = 1;
   return helper;
 }
 
@@ -239,6 +239,11 @@ void Inserter::make_cone(Site apex) {
     for (const FacetIndex f : visible_) facets_.set_dead(f);
   }
   free_.resize(free_.size() - cone_.size());
+  // The next insertion uses up what dies now, and then these, which may be in no cache.
+  constexpr std::size_t kAhead = 12;
+  for (std::size_t k = 0; k < std::min(kAhead, free_.size()); ++k) {
+    __builtin_prefetch(&facets_[free_[free_.size() - 1 - k]], 1);
+  }
   free_.insert(free_.end(), visible_.begin(), visible_.end());
   last_ = cone_[0].facet;
   if (!known_.empty()) known_[apex] = last_;

@@ -53,11 +53,12 @@ class Stack {
 };
 
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
-/// one changes only facets all of whose corners are its own, and reads only those and their
-/// neighbours, and the finite facet behind an infinite neighbour. A facet with three corners that
+/// one replaces only facets all of whose corners are its own, and reads only those and their
+/// neighbours, which it marks and links to new ones, and the finite facet behind an infinite
+/// neighbour. A facet with three corners that
 /// are its own or at infinity is out of all others' reach, because they would need three, too, and
 /// there is one at infinity only; so is one with two corners that are its own and none at infinity.
-class Inserter {
+class alignas(64) Inserter {  // two threads' don't share a cache line
  public:
   /// How many points may be in conflict sets at a time.
   static constexpr std::size_t kBatch = 2;
@@ -66,13 +67,15 @@ class Inserter {
   /// there will be helpers, holds a facet per site that has one, or kNone.
   Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
            bool by_four, std::span<FacetIndex> known);
-  /// Facets that are at hand for the next insertions don't live. They are not told apart one by one
-  /// when they are appended, which would sweep the nearest cache: 6 % of the hull.
+  /// Marks the facets at hand for the next insertions as dead, which must be done before anybody
+  /// asks what lives. To do so with each as it is appended would sweep the nearest cache: 6 % of
+  /// the hull.
   void mark_free();
   /// One with a range of its own that goes on from here, as this one can only by take_over(). It
   /// must look_around() before anything is inserted.
   Inserter helper(SiteRange own);
-  /// Finds out which of the facets that it knows are left. All helpers may do so at a time.
+  /// Finds out which of the facets that it knows are left and its own: others' may change under its
+  /// hands later. All helpers may do so at a time, while none inserts.
   void look_around();
   /// Goes on from where a helper ended.
   void take_over(const Inserter& helper);
@@ -125,7 +128,7 @@ class Inserter {
   SiteRange own_;
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::uint32_t stamp_ = 0;
-  std::vector<FacetIndex> free_;  ///< facets that died without a successor, or were never used
+  std::vector<FacetIndex> free_;  ///< facets that died or were never used; the last are next
   /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
   /// are no helpers.
   std::span<FacetIndex> known_;
@@ -142,9 +145,9 @@ class Inserter {
   Stack<Spoke> spokes_;     ///< per number, from the apex to the corner
   Stack<Site> spoke_ends_;  ///< the corners' sites
   /// Per site, after the one at infinity: its number among the corners of the last horizon it was
-  /// on and the first_number_ of that, which is more than all of any before.
+  /// on, plus the first_number_ of that, which is more than all of any before.
   LargeArray<std::uint32_t> number_of_;
-  std::uint32_t first_number_ = kNone - 1000;  ///< so that every hull begins anew once
+  std::uint32_t first_number_ = kNone - 1000;  ///< so that nearly every hull begins anew once
   std::vector<Ridge> half_ridge_;              ///< per ordered pair of numbers
 };
 

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,7 +66,7 @@ class Output {
     hull.tets.resize(count_);
     hull.neighbors.resize(count_);
     for_each_share([&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) put_in_order(hull, begin_of(b), end_[b]);
+      for (std::size_t b = begin; b < end; ++b) write_bucket(hull, begin_of(b), end_[b]);
     });
     told(0.8);
     number_neighbors(hull.neighbors);
@@ -103,9 +100,11 @@ class Output {
 
   /// Takes the facets and counts what will be in each bucket: end_[b] is b's beginning.
   void take(Facets& facets) {
-    std::vector<LargeArray<std::uint32_t>> counts(worth_threads(facets.size(), threads_));
+    // Each thread counts in a table of its own; so many tables that they don't matter.
+    const int threads = std::min(threads_, 4);
+    std::vector<LargeArray<std::uint32_t>> counts(worth_threads(facets.size(), threads));
     for (auto& count : counts) count.resize(bucket_count_, 0);
-    facets_ = facets.take_links(threads_, [&](std::size_t thread, const FacetLinks& facet) {
+    facets_ = facets.take_links(threads, [&](std::size_t thread, const FacetLinks& facet) {
       if (facet.lives()) ++counts[thread][bucket(facet)];
     });
     end_ = std::move(counts[0]);
@@ -147,10 +146,10 @@ class Output {
     });
   }
 
-  /// Writes the tetrahedra of a bucket.
-  void put_in_order(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
+  /// Writes the tetrahedra of a bucket in their order.
+  void write_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t size = end - begin;
-    if (size > kFew) return put_many_in_order(hull, begin, end);
+    if (size > kFew) return write_large_bucket(hull, begin, end);
     // Counts how many come before each: no branch depends on the order they are in.
     std::array<Item, kFew> items;
     std::array<std::uint64_t, kFew> keys;
@@ -169,7 +168,7 @@ class Output {
     for (std::uint32_t i = 0; i < size; ++i) put(items[i], hull, begin + before[i]);
   }
 
-  void put_many_in_order(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
+  void write_large_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
     std::vector<Item> items;
     for (std::uint32_t i = begin; i < end; ++i) items.push_back(item(i));
     std::ranges::sort(items, {}, &Item::key);
@@ -180,7 +179,7 @@ class Output {
     __builtin_prefetch(&facets_[facet_at_[std::min(i + kAhead, count_ - 1)]]);
     Item item;
     item.facet = facet_at_[i];
-    item.places = hull::put_in_order(facets_[item.facet].corners, item.corners);
+    item.places = put_in_order(facets_[item.facet].corners, item.corners);
     return item;
   }
 

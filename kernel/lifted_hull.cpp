@@ -175,7 +175,7 @@ class Construction {
   /// Of the work; the rest is output.
   static constexpr double kInserting = 0.85;
   /// Rounds of fewer points per thread are one thread's.
-  static constexpr std::size_t kWorthAThread = 8192;
+  static constexpr std::size_t kWorthAThread = 4096;
 
   /// Tells how many points of the round are in, if that is more than before. May throw, see
   /// LiftedHullOptions.
@@ -217,16 +217,20 @@ class Construction {
   std::vector<Site> insert_stretches(std::span<const Site> sites, std::span<const Site> cuts,
                                      std::size_t in) {
     const std::size_t threads = cuts.size();
+    const auto range = [&](std::size_t t) {
+      return hull::SiteRange{cuts[t], cuts[(t + 1) % threads]};
+    };
     inserter_.mark_free();
     std::vector<Inserter> inserters;
     std::vector<std::vector<Site>> own(threads);
     for (std::size_t t = 0; t < threads; ++t) {
-      const hull::SiteRange range{cuts[t], cuts[(t + 1) % threads]};
-      inserters.push_back(inserter_.helper(range));
-      std::ranges::copy_if(sites, std::back_inserter(own[t]),
-                           [&](Site s) { return range.contains(s); });
+      inserters.push_back(inserter_.helper(range(t)));
     }
-    parallel_each(threads, [&](std::size_t t) { inserters[t].look_around(); });
+    parallel_each(threads, [&](std::size_t t) {
+      inserters[t].look_around();
+      std::ranges::copy_if(sites, std::back_inserter(own[t]),
+                           [&](Site s) { return range(t).contains(s); });
+    });
     facets_.share();
     std::atomic<bool> cancelled = false;
     parallel_each(threads, [&](std::size_t t) {

@@ -82,7 +82,8 @@ class Finder {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       parts_[p].begin = static_cast<std::uint32_t>(finite_count_ * p / parts_.size());
       parts_[p].end = static_cast<std::uint32_t>(finite_count_ * (p + 1) / parts_.size());
-      // More than there will be: what is not used is only addresses. The first takes in all others.
+      // Mostly enough, and what is not used is mostly only addresses. The first takes in all
+      // others.
       const std::size_t most = p == 0 ? finite_count_ : parts_[p].end - parts_[p].begin;
       parts_[p].edges.reserve(most + most / 2);
       parts_[p].same.reserve(most);
@@ -95,12 +96,10 @@ class Finder {
     });
     result_.triangles_of_tet.resize(count_);
     result_.edges_of_tet.resize(count_);
-    result_.facet_of_triangle.resize(2 * count_);  // two facets each, at the most
-    count_triangles();
+    result_.facet_of_triangle.resize(count_triangles());
     parallel_each(parts_.size(), [&](std::size_t p) {
       find_in(parts_[p], p == 0 ? progress : std::function<void(double)>());
     });
-    result_.facet_of_triangle.resize(parts_.back().end_triangle);
     number_edges(joined());
     parallel_ranges(count_ - finite_count_, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) take_over_at_infinity(finite_count_ + t);
@@ -114,25 +113,28 @@ class Finder {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     std::uint32_t first_triangle = 0;
-    std::uint32_t end_triangle = 0;
     std::uint32_t first_edge = 0;  ///< of all parts; edges are counted from 0 in each
     LargeArray<Simplices::Edge> edges;
     LargeArray<std::array<EdgeId, 2>> same;
     std::vector<FacetHandle> joints;  ///< facets whose other side comes before the part
   };
 
-  /// A triangle is new in the first of its tetrahedra.
-  void count_triangles() {
-    parallel_each(parts_.size() - 1, [&](std::size_t p) {
-      std::uint32_t sum = 0;
+  /// How many there are. One is new in the first of its tetrahedra.
+  std::uint32_t count_triangles() {
+    std::vector<std::uint32_t> counts(parts_.size());
+    parallel_each(parts_.size(), [&](std::size_t p) {
+      std::uint32_t count = 0;
       for (std::uint32_t t = parts_[p].begin; t < parts_[p].end; ++t) {
-        for (const FacetHandle h : hull_.neighbors[t]) sum += h >> 2 > t;
+        for (const FacetHandle h : hull_.neighbors[t]) count += h >> 2 >= t;
       }
-      parts_[p + 1].first_triangle = sum;
+      counts[p] = count;
     });
-    for (std::size_t p = 1; p < parts_.size(); ++p) {
-      parts_[p].first_triangle += parts_[p - 1].first_triangle;
+    std::uint32_t sum = 0;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      parts_[p].first_triangle = sum;
+      sum += counts[p];
     }
+    return sum;
   }
 
   void find_in(Part& part, const std::function<void(double)>& progress) {
@@ -154,7 +156,7 @@ class Finder {
       for (std::uint32_t i = 0; i < 4; ++i) {
         const FacetHandle h = neighbors[t][i];
         const std::uint32_t u = h >> 2;
-        if (u > t) {
+        if (u >= t) {
           triangles[t][i] = TriangleId{triangle};
           facet_of[triangle++] = 4 * t + i;
         } else if (u >= begin) {
@@ -176,7 +178,6 @@ class Finder {
       }
       edges_of[t] = edges;
     }
-    part.end_triangle = triangle;
   }
 
   /// Which edges, counted through all parts, are one. Takes triangles over across the cuts.

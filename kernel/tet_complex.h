@@ -8,7 +8,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "kernel/ids.h"
 #include "kernel/large_array.h"

@@ -8,6 +8,7 @@ foreach(
   distinct_range_test
   distinct_invariant_test
   large_array_test
+  large_block_test
   radix_sort_test
   disjoint_sets_test
   simplex_dimension_test
