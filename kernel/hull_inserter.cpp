@@ -207,13 +207,14 @@ inline void Inserter::cut_out() {
 }
 
 void Inserter::collect_orphans(Slot apex) {
-  orphans_.clear();
-  orphans_.make_room(batch_.size());
+  Slot* const orphans = orphans_.room_for(batch_.size());
+  std::size_t size = 0;
   conflicts_[apex].facet = kNone;
   for (Slot k = 0; k < batch_.size(); ++k) {
     const FacetIndex f = conflicts_[k].facet;
-    if (f != kNone && facets_.mark(f) == is_visible()) orphans_.push(k);
+    if (f != kNone && facets_.mark(f) == is_visible()) orphans[size++] = k;
   }
+  orphans_.hold(size);
 }
 
 /// Replaces the visible facets by one facet per horizon ridge, each with the apex as first corner.

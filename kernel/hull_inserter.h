@@ -23,14 +23,11 @@ struct SiteRange {
   bool all() const { return begin == 0 && end == kAtInfinity; }
 };
 
-/// A stack that is told ahead how much it will hold, so that a push is no more than a store.
+/// A stack that is told ahead how much it may hold, and afterwards how much it does: to fill it
+/// takes no more than stores.
 template <class T>
 class Stack {
  public:
-  /// Room for n more.
-  void make_room(std::size_t n) {
-    if (room_.size() < size_ + n) room_.resize(2 * (size_ + n));
-  }
   /// Room for n in all.
   T* room_for(std::size_t n) {
     if (room_.size() < n) room_.resize(n);
@@ -38,8 +35,6 @@ class Stack {
   }
   /// The first n in the room are held.
   void hold(std::size_t n) { size_ = n; }
-  void push(const T& item) { room_[size_++] = item; }
-  void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
   T& operator[](std::size_t k) { return room_[k]; }
   const T& operator[](std::size_t k) const { return room_[k]; }
@@ -55,9 +50,9 @@ class Stack {
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
 /// one replaces only facets all of whose corners are its own, and reads only those and their
 /// neighbours, which it marks and links to new ones, and the finite facet behind an infinite
-/// neighbour. A facet with three corners that
-/// are its own or at infinity is out of all others' reach, because they would need three, too, and
-/// there is one at infinity only; so is one with two corners that are its own and none at infinity.
+/// neighbour. A facet with three corners that are its own or at infinity is out of all others'
+/// reach, because they would need three, too, and there is one at infinity only; so is one with two
+/// corners that are its own and none at infinity.
 class alignas(64) Inserter {  // two threads' don't share a cache line
  public:
   /// How many points may be in conflict sets at a time.

@@ -100,7 +100,7 @@ class Output {
 
   /// Takes the facets and counts what will be in each bucket: end_[b] is b's beginning.
   void take(Facets& facets) {
-    // Each thread counts in a table of its own; so many tables that they don't matter.
+    // Each thread counts in a table of its own: a few, whatever their number, cost little memory.
     const int threads = std::min(threads_, 4);
     std::vector<LargeArray<std::uint32_t>> counts(worth_threads(facets.size(), threads));
     for (auto& count : counts) count.resize(bucket_count_, 0);

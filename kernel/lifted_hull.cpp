@@ -150,9 +150,8 @@ class Construction {
   void insert(const Rounds& rounds) {
     for (std::size_t r = 0; r < rounds.count(); ++r) {
       const std::span<const Site> round = rounds[r];
-      const std::size_t threads = std::min(static_cast<std::size_t>(std::max(options_.threads, 1)),
-                                           round.size() / kWorthAThread);
-      if (threads < 2) {
+      const std::size_t threads = worth_threads(round.size(), options_.threads);
+      if (threads == 1) {
         insert(round, inserter_, [&](std::size_t k) { report(k); });
       } else {
         insert_in_parallel(round, threads);
@@ -174,8 +173,6 @@ class Construction {
  private:
   /// Of the work; the rest is output.
   static constexpr double kInserting = 0.85;
-  /// Rounds of fewer points per thread are one thread's.
-  static constexpr std::size_t kWorthAThread = 4096;
 
   /// Tells how many points of the round are in, if that is more than before. May throw, see
   /// LiftedHullOptions.
@@ -202,7 +199,7 @@ class Construction {
     std::vector<Site> cuts(threads, 0);
     for (std::size_t t = 1; t < threads; ++t) cuts[t] = round[round.size() * t / threads];
     std::vector<Site> left = insert_stretches(round, cuts, 0);
-    if (left.size() / threads >= kWorthAThread) {
+    if (worth_threads(left.size(), options_.threads) >= threads) {
       for (std::size_t t = 0; t < threads; ++t) {
         const std::size_t end = t + 1 == threads ? points_.size() : cuts[t + 1];
         cuts[t] = static_cast<Site>((cuts[t] + end) / 2);
@@ -213,7 +210,7 @@ class Construction {
   }
 
   /// A stretch begins at each cut, the last one goes on at the curve's beginning. What no stretch
-  /// could hold comes back. So many sites of the round are in already.
+  /// could hold comes back. `in` is how many sites of the round are in already.
   std::vector<Site> insert_stretches(std::span<const Site> sites, std::span<const Site> cuts,
                                      std::size_t in) {
     const std::size_t threads = cuts.size();

@@ -44,6 +44,11 @@ using RankedEdges = std::array<EdgeId, 6>;
 constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetEdges{
     {{3, 4, 5}, {1, 2, 5}, {0, 2, 4}, {0, 1, 3}}};
 
+/// Those of a facet, given of each tetrahedron whether it is odd.
+const std::array<std::uint8_t, 3>& edges_of_facet(FacetHandle f, const std::uint8_t* odd) {
+  return kFacetEdges[rank(f & 3, odd[f >> 2])];
+}
+
 /// The edges that have no id yet, a bit each.
 unsigned without_id(const RankedEdges& edges) {
   unsigned without = 0;
@@ -161,8 +166,8 @@ class Finder {
           facet_of[triangle++] = 4 * t + i;
         } else if (u >= begin) {
           triangles[t][i] = triangles[u][h & 3];
-          take_over(edges, kFacetEdges[rank(i, odd[t])], edges_of[u],
-                    kFacetEdges[rank(h & 3, odd[u])], part.same);
+          take_over(edges, kFacetEdges[rank(i, odd[t])], edges_of[u], edges_of_facet(h, odd),
+                    part.same);
         } else {
           triangles[t][i] = kNoTriangle;
           part.joints.push_back(4 * t + i);
@@ -201,8 +206,8 @@ class Finder {
     const std::uint32_t u = h >> 2;
     result_.triangles_of_tet[t][f & 3] = result_.triangles_of_tet[u][h & 3];
     const Part& before = *std::ranges::find_if(parts_, [&](const Part& p) { return u < p.end; });
-    const auto& mine = kFacetEdges[rank(f & 3, odd_[t])];
-    const auto& theirs = kFacetEdges[rank(h & 3, odd_[u])];
+    const auto& mine = edges_of_facet(f, odd_.data());
+    const auto& theirs = edges_of_facet(h, odd_.data());
     for (std::size_t m = 0; m < 3; ++m) {
       sets.unite(part.first_edge + +result_.edges_of_tet[t][mine[m]],
                  before.first_edge + +result_.edges_of_tet[u][theirs[m]]);
@@ -213,20 +218,20 @@ class Finder {
   /// in the order of its corners.
   void number_edges(DisjointSets sets) {
     LargeArray<EdgeId> number(parts_.back().first_edge + parts_.back().edges.size());
-    auto& edges = result_.edges = std::move(parts_[0].edges);
+    auto& edges = parts_[0].edges;  // what is kept moves to the front of these
     std::uint32_t count = 0;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      if (p > 0) edges.resize(count + parts_[p].edges.size());
-      const Simplices::Edge* const found = p == 0 ? edges.data() : parts_[p].edges.data();
-      const std::uint32_t begin = parts_[p].first_edge;
-      const std::size_t end = p + 1 < parts_.size() ? parts_[p + 1].first_edge : number.size();
-      for (std::uint32_t e = begin; e < end; ++e) {
-        const std::uint32_t first = sets.find(e);
-        if (first == e) edges[count] = found[e - begin];
-        number[e] = first == e ? EdgeId{count++} : number[first];
+    for (const Part& part : parts_) {
+      const std::size_t size = part.edges.size();
+      if (&part != &parts_[0]) edges.resize(count + size);
+      for (std::uint32_t e = 0; e < size; ++e) {
+        const std::uint32_t id = part.first_edge + e;
+        const std::uint32_t first = sets.find(id);
+        if (first == id) edges[count] = part.edges[e];
+        number[id] = first == id ? EdgeId{count++} : number[first];
       }
     }
     edges.resize(count);
+    result_.edges = std::move(edges);
     parallel_each(parts_.size(), [&](std::size_t p) {
       const EdgeId* const numbers = number.data() + parts_[p].first_edge;
       for (std::uint32_t t = parts_[p].begin; t < parts_[p].end; ++t) {
@@ -248,7 +253,7 @@ class Finder {
       if (u >= finite_count_) continue;
       result_.triangles_of_tet[t][i] = result_.triangles_of_tet[u][h & 3];
       const auto& mine = kFacetEdges[rank(i, odd_[t])];
-      const auto& theirs = kFacetEdges[rank(h & 3, odd_[u])];
+      const auto& theirs = edges_of_facet(h, odd_.data());
       for (std::size_t m = 0; m < 3; ++m) {
         result_.edges_of_tet[t][edge_rank(mine[m], odd_[t])] =
             result_.edges_of_tet[u][edge_rank(theirs[m], odd_[u])];
