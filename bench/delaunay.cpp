@@ -19,11 +19,11 @@ namespace tetsculpt::bench {
 namespace {
 
 std::size_t make_hull(const std::vector<Point3>& points, int threads) {
-  return lifted_hull(distinct_points(points).points, {.threads = threads}).finite_count;
+  return lifted_hull(distinct_points(points, threads).points, {.threads = threads}).finite_count;
 }
 
 std::size_t make_complex(const std::vector<Point3>& points, int threads) {
-  return delaunay(distinct_points(points), {.threads = threads}).finite_tet_count();
+  return delaunay(distinct_points(points, threads), {.threads = threads}).finite_tet_count();
 }
 
 using Make = std::size_t (*)(const std::vector<Point3>& points, int threads);

@@ -31,7 +31,8 @@ struct Contestant {
 std::vector<Contestant> contestants() {
   const auto hull = [](int threads) {
     return [=](const std::vector<Point3>& points) {
-      return lifted_hull(distinct_points(points).points, {.threads = threads}).finite_count;
+      return lifted_hull(distinct_points(points, threads).points, {.threads = threads})
+          .finite_count;
     };
   };
   std::vector<Contestant> all{{"hull", hull(1)},

@@ -7,6 +7,7 @@
 
 #include "kernel/hilbert_order.h"
 #include "kernel/large_array.h"
+#include "kernel/parallel.h"
 
 namespace tetsculpt {
 namespace {
@@ -33,25 +34,42 @@ struct BinaryRange {
       unit_at = point;
     }
   }
+  /// That of points further on.
+  void include(const BinaryRange& other) {
+    top = std::max(top, other.top);
+    if (other.unit < unit) {
+      unit = other.unit;
+      unit_at = other.unit_at;
+    }
+  }
 };
 
-BinaryRange range_of(std::span<const Point3> points) {
+BinaryRange range_of(std::span<const Point3> points, int threads) {
+  const auto range_of_part = [&](std::size_t begin, std::size_t end) {
+    BinaryRange range;
+    for (std::size_t i = begin; i < end; ++i) {
+      range.include(points[i].x, i);
+      range.include(points[i].y, i);
+      range.include(points[i].z, i);
+    }
+    return range;
+  };
   BinaryRange range;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    range.include(points[i].x, i);
-    range.include(points[i].y, i);
-    range.include(points[i].z, i);
+  for (const auto& part : parallel_results(range_cuts(points.size(), threads), range_of_part)) {
+    range.include(part);
   }
   return range;
 }
 
-void require_finite(std::span<const Point3> points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point3& p = points[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      throw InvalidPoint(i, "a coordinate is not a finite number");
+void require_finite(std::span<const Point3> points, int threads) {
+  parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point3& p = points[i];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        throw InvalidPoint(i, "a coordinate is not a finite number");
+      }
     }
-  }
+  });
 }
 
 /// The power of two nearest to none that brings the range into the exact one.
@@ -78,36 +96,69 @@ LargeArray<Point3> scaled(std::span<const Point3> points, int exponent) {
   return result;
 }
 
+/// Sets points, with repetitions, and input points in the order of the curve.
+void gather(std::span<const Point3> points, std::span<const KeyedIndex> order, int threads,
+            DistinctPoints& result) {
+  result.points.resize(points.size());
+  result.first_input.resize(points.size());
+  parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      result.points[k] = points[order[k].index];
+      result.first_input[k] = order[k].index;
+    }
+  });
+}
+
+/// Keeps the first of equal points. Per place in the order, the point's vertex comes back; none if
+/// no two points are equal.
+LargeArray<std::uint32_t> merge_equal(DistinctPoints& result) {
+  auto& points = result.points;
+  LargeArray<std::uint32_t> vertex;
+  if (std::ranges::adjacent_find(points) == points.end()) return vertex;
+  vertex.resize(points.size());
+  std::uint32_t last = 0;
+  vertex[0] = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    if (!(points[k] == points[last])) {
+      ++last;
+      points[last] = points[k];
+      result.first_input[last] = result.first_input[k];
+    }
+    vertex[k] = last;
+  }
+  points.resize(last + 1);
+  result.first_input.resize(last + 1);
+  return vertex;
+}
+
 }  // namespace
 
-DistinctPoints distinct_points(std::span<const Point3> points) {
+DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
   if (points.size() > kMaxPoints) throw std::length_error("more than 100 million points");
   DistinctPoints result;
-  require_finite(points);
-  const BinaryRange range = range_of(points);
+  require_finite(points, threads);
+  const BinaryRange range = range_of(points, threads);
   if (range.top > range.unit) result.scale_exponent = scale_exponent(range);
   LargeArray<Point3> in_range;
   if (result.scale_exponent != 0) {
     in_range = scaled(points, result.scale_exponent);
     points = in_range;
   }
+  const LargeArray<KeyedIndex> order = hilbert_order(points, threads);
+  gather(points, order, threads, result);
+  const LargeArray<std::uint32_t> vertex = merge_equal(result);
   result.vertex_of_input.resize(points.size());
-  result.points.reserve(points.size());
-  result.first_input.reserve(points.size());
-  for (const KeyedIndex& item : hilbert_order(points)) {
-    const Point3& p = points[item.index];
-    if (result.points.empty() || !(result.points.back() == p)) {
-      result.points.push_back(p);
-      result.first_input.push_back(item.index);
+  parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      result.vertex_of_input[order[k].index] =
+          VertexId{vertex.empty() ? static_cast<std::uint32_t>(k) : vertex[k]};
     }
-    result.vertex_of_input[item.index] =
-        VertexId{static_cast<std::uint32_t>(result.points.size() - 1)};
-  }
+  });
   return result;
 }
 
-int unit_exponent(std::span<const Point3> points) {
-  const BinaryRange range = range_of(points);
+int unit_exponent(std::span<const Point3> points, int threads) {
+  const BinaryRange range = range_of(points, threads);
   return range.top > range.unit ? range.unit : 0;
 }
 

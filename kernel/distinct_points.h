@@ -6,9 +6,9 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "kernel/ids.h"
+#include "kernel/large_array.h"
 #include "kernel/point.h"
 
 /// The entrance of the kernel: checks the input, merges equal points, and brings the coordinates
@@ -32,11 +32,11 @@ class InvalidPoint : public std::runtime_error {
 /// the input, and neighbours in space are neighbours in memory.
 struct DistinctPoints {
   /// The input's coordinates times 2^scale_exponent, exactly.
-  std::vector<Point3> points;
+  LargeArray<Point3> points;
   /// Per input point, its vertex.
-  std::vector<VertexId> vertex_of_input;
+  LargeArray<VertexId> vertex_of_input;
   /// Per vertex, the first input point with its coordinates.
-  std::vector<std::uint32_t> first_input;
+  LargeArray<std::uint32_t> first_input;
   /// 0 unless the input lies outside the range of exact arithmetic.
   int scale_exponent = 0;
 };
@@ -48,12 +48,12 @@ inline constexpr int kMinExponent = -179;
 
 /// Sorts and merges `points`. Throws InvalidPoint on a NaN or an infinity, and where the largest
 /// coordinate and the lowest set bit are more than 347 binary orders apart; std::length_error above
-/// 100 million points. Cost: one sort.
-DistinctPoints distinct_points(std::span<const Point3> points);
+/// 100 million points. Cost: one sort. The same on any number of threads.
+DistinctPoints distinct_points(std::span<const Point3> points, int threads = 1);
 
 /// The largest k such that all coordinates are multiples of 2^k; 0 if all are zero. Where a
 /// polynomial's value is below 2^53 of its unit, double arithmetic is exact.
-int unit_exponent(std::span<const Point3> points);
+int unit_exponent(std::span<const Point3> points, int threads = 1);
 
 std::optional<std::string> broken_invariant(const DistinctPoints& distinct,
                                             std::span<const Point3> input);

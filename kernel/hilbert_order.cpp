@@ -9,6 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
+
+#include "kernel/parallel.h"
 
 namespace tetsculpt {
 namespace {
@@ -107,15 +110,35 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
   return index;
 }
 
+/// A box around points.
+struct Box {
+  Point3 low;
+  Point3 high;
+  void include(const Point3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+Box box_of(std::span<const Point3> points, int threads) {
+  Box box{points[0], points[0]};
+  const auto box_of_range = [&](std::size_t begin, std::size_t end) {
+    Box part = box;
+    for (std::size_t i = begin; i < end; ++i) part.include(points[i]);
+    return part;
+  };
+  for (const Box& part : parallel_results(range_cuts(points.size(), threads), box_of_range)) {
+    box.include(part.low);
+    box.include(part.high);
+  }
+  return box;
+}
+
 /// Maps points to cells of a cube around all of them.
 class Cells {
  public:
-  explicit Cells(std::span<const Point3> points) : low_(points[0]) {
-    Point3 high = points[0];
-    for (const Point3& p : points) {
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+  explicit Cells(const Box& box) : low_(box.low) {
+    const Point3& high = box.high;
     const double side = std::max({high.x - low_.x, high.y - low_.y, high.z - low_.z});
     cells_per_unit_ = side > 0 ? ((1 << kBitsPerAxis) - 1) / side : 0;
   }
@@ -131,7 +154,7 @@ class Cells {
 };
 
 /// Sorts each run of equal keys by the points themselves.
-void sort_within_cells(std::span<const Point3> points, LargeArray<KeyedIndex>& order) {
+void sort_within_cells(std::span<const Point3> points, std::span<KeyedIndex> order) {
   const auto less = [&](const KeyedIndex& a, const KeyedIndex& b) {
     const Point3& p = points[a.index];
     const Point3& q = points[b.index];
@@ -147,15 +170,23 @@ void sort_within_cells(std::span<const Point3> points, LargeArray<KeyedIndex>& o
 
 }  // namespace
 
-LargeArray<KeyedIndex> hilbert_order(std::span<const Point3> points) {
+LargeArray<KeyedIndex> hilbert_order(std::span<const Point3> points, int threads) {
   LargeArray<KeyedIndex> order(points.size());
   if (points.empty()) return order;
-  const Cells cells(points);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    order[i] = {hilbert_index(cells(points[i])), static_cast<std::uint32_t>(i)};
+  const Cells cells(box_of(points, threads));
+  parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      order[i] = {hilbert_index(cells(points[i])), static_cast<std::uint32_t>(i)};
+    }
+  });
+  radix_sort(order, threads);
+  std::vector<std::size_t> cuts = range_cuts(order.size(), threads);
+  for (std::size_t& cut : cuts) {  // no cell is cut in two
+    while (cut > 0 && cut < order.size() && order[cut].key == order[cut - 1].key) ++cut;
   }
-  radix_sort(order);
-  sort_within_cells(points, order);
+  parallel_each(cuts.size() - 1, [&](std::size_t part) {
+    sort_within_cells(points, std::span(order).subspan(cuts[part], cuts[part + 1] - cuts[part]));
+  });
   return order;
 }
 

@@ -28,7 +28,6 @@
 #include <cassert>
 #include <cfloat>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "kernel/perturbation.h"
@@ -121,8 +120,16 @@ void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < kSample; ++k) found += on_sphere(sites_.size() * k / kSample);
   if (found < kMany) return;
-  on_sphere_.resize(sites_.size());
-  for (std::size_t s = 0; s < sites_.size(); ++s) on_sphere_[s] = on_sphere(s);
+  std::vector<Site> order;
+  for (std::size_t s = 0; s < sites_.size(); ++s) {
+    if (on_sphere(s)) order.push_back(static_cast<Site>(s));
+  }
+  std::ranges::sort(order,
+                    [&](Site s, Site t) { return lexicographically_less(sites_[s], sites_[t]); });
+  rank_on_sphere_.resize(sites_.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    rank_on_sphere_[order[k]] = static_cast<std::uint32_t>(k + 1);
+  }
 }
 
 void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c) {
@@ -178,9 +185,8 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
   const auto judged_by = [&](auto&& judge) {
     return judge(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
   };
-  if (!on_sphere_.empty() && on_sphere_[q] && on_sphere_[c[0]] && on_sphere_[c[1]] &&
-      on_sphere_[c[2]] && on_sphere_[c[3]]) {
-    return judged_by(perturbed_inside);
+  if (remembers_sphere()) {
+    if (const std::optional<bool> visible = cospherical_visible(f, q)) return *visible;
   }
   const Point3& origin = sites_[c[0]];
   const std::array<LiftedDifference, 4> d = {
@@ -199,6 +205,33 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
       judged_by([&](const auto&... points) { return insphere_in_units(points..., per_unit_); });
   if (!side) return judged_by(in_perturbed_sphere);
   return *side != Sign::kZero ? *side == Sign::kPositive : judged_by(perturbed_inside);
+}
+
+/// Whether q sees a finite facet that has its sphere in common with many sites, q among them;
+/// nothing if that is another sphere, or not clear.
+std::optional<bool> Facets::cospherical_visible(FacetIndex f, Site q) const {
+  const auto& c = corners(f);
+  const auto rank = [&](Site s) -> std::uint64_t { return rank_on_sphere_[s]; };
+  const std::array<std::uint64_t, 5> ranks{rank(c[0]), rank(c[1]), rank(c[2]), rank(c[3]), rank(q)};
+  std::uint64_t lowest = ranks[0];
+  std::uint64_t greatest = 0;  // and where it is, in the last bits
+  for (std::size_t i = 0; i < 5; ++i) {
+    lowest = std::min(lowest, ranks[i]);
+    greatest = std::max(greatest, ranks[i] << 3 | i);
+  }
+  if (lowest == 0) return std::nullopt;
+  // The rule of perturbed_inside: q is inside if it is on the same side as the corner with the
+  // dominant eps of the plane through the others, here in an order in which that is positive.
+  static constexpr std::uint8_t kOthers[4][3] = {{2, 1, 3}, {2, 3, 0}, {0, 3, 1}, {0, 1, 2}};
+  const std::size_t dominant = greatest & 7;
+  if (dominant == 4) return false;
+  const auto& others = kOthers[dominant];
+  const Sign side =
+      orient3d(sites_[c[others[0]]], sites_[c[others[1]]], sites_[c[others[2]]], sites_[q]);
+  if (side == Sign::kZero) {
+    return perturbed_inside(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
+  }
+  return side == Sign::kPositive;
 }
 
 /// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite

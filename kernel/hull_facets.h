@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -126,6 +127,9 @@ class Facets {
   /// If many sites are on the sphere through these four, remembers which, so that no test among
   /// them has to find that out.
   void remember_sphere(const std::array<Site, 4>& simplex);
+  bool remembers_sphere() const { return !rank_on_sphere_.empty(); }
+  /// Whether it is on the sphere that is remembered.
+  bool on_sphere(Site s) const { return remembers_sphere() && rank_on_sphere_[s] != 0; }
   /// Between these, several threads may append.
   void share() { shared_ = true; }
   void unshare();
@@ -182,9 +186,12 @@ class Facets {
  private:
   bool finite_visible(FacetIndex f, Site q) const;
   bool coplanar_visible(FacetIndex f, Site q) const;
+  std::optional<bool> cospherical_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
-  std::vector<bool> on_sphere_;  ///< per site, if many are
+  /// If many sites are on one sphere: per site, 1 plus its place among those in lexicographic
+  /// order, or 0 if it is not on it.
+  std::vector<std::uint32_t> rank_on_sphere_;
   bool shared_ = false;
   bool full_ = false;  ///< some thread was told that there is no room
   std::mutex growing_;

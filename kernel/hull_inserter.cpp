@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "kernel/predicates.h"
@@ -247,6 +248,12 @@ void Inserter::make_cone(Site apex) {
   }
   free_.insert(free_.end(), visible_.begin(), visible_.end());
   last_ = cone_[0].facet;
+  if (facets_.on_sphere(apex)) {
+    const auto infinite = [&](const ConeFacet& c) { return facets_.infinite(c.facet); };
+    if (const auto* c = std::find_if(cone_.begin(), cone_.end(), infinite); c != cone_.end()) {
+      last_ = c->facet;
+    }
+  }
   if (!known_.empty()) known_[apex] = last_;
 }
 
@@ -400,6 +407,7 @@ FacetIndex Inserter::locate(Site q) const {
 /// early. kNone where the walk leaves the range.
 FacetIndex Inserter::walk(Site q, FacetIndex f) const {
   if (facets_.infinite(f)) {
+    if (facets_.on_sphere(q)) f = walk_on_hull(q, f);
     if (facets_.visible(f, q)) return f;
     f = facet_of(facets_.neighbors(f)[3]);
     if (!own(f)) return kNone;
@@ -431,6 +439,30 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
     }
   }
   return at_border ? kNone : locate_exactly(q, f);
+}
+
+/// From one infinite facet to another that q sees or that is higher below it than its neighbours.
+/// Where all points are on a sphere that is nearer than inside, where all powers are zero.
+FacetIndex Inserter::walk_on_hull(Site q, FacetIndex f) const {
+  const Point3 point = points_[q];
+  const auto distance = [&](FacetIndex g) {
+    const Facet& n = facets_[g];
+    return facets_.height(g, point).value / std::sqrt(n.nx * n.nx + n.ny * n.ny + n.nz * n.nz);
+  };
+  double height = distance(f);
+  for (bool moved = true; moved && height <= 0;) {
+    moved = false;
+    const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const FacetIndex g = facet_of(neighbors[i]);
+      const double other = distance(g);
+      if (other <= height || !own(g)) continue;
+      f = g;
+      height = other;
+      moved = true;
+    }
+  }
+  return f;
 }
 
 /// Visibility walk by exact orientations: ends in the tetrahedron that holds q, or beyond the hull.

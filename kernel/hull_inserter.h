@@ -108,6 +108,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
 
   FacetIndex locate(Site q) const;
   FacetIndex walk(Site q, FacetIndex f) const;
+  FacetIndex walk_on_hull(Site q, FacetIndex f) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
   void add_conflict(Slot k, FacetIndex f);
   void collect_orphans(Slot apex);

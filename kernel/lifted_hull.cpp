@@ -140,7 +140,7 @@ class Construction {
                const LiftedHullOptions& options)
       : points_(points),
         options_(options),
-        facets_(points, std::ldexp(1.0, unit_exponent(points))),
+        facets_(points, std::ldexp(1.0, unit_exponent(points, options.threads))),
         known_(options.threads > 1 ? points.size() : 0, hull::kNone),
         inserter_(points, facets_, make_simplex(facets_, simplex),
                   options.four_lanes && hull::has_four_lanes(), known_) {

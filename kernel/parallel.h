@@ -10,7 +10,7 @@
 namespace tetsculpt {
 
 /// Calls work(i) for each i below count, each on a thread of its own, the first on the caller's.
-/// Rethrows one exception of those thrown.
+/// Rethrows the exception of the lowest i of those thrown.
 template <class Work>
 void parallel_each(std::size_t count, Work&& work) {
   if (count == 0) return;
@@ -38,9 +38,27 @@ inline std::size_t worth_threads(std::size_t n, int threads) {
                                  static_cast<std::size_t>(std::max(threads, 1)));
 }
 
+/// Where the ranges begin in which [0, n) is cut for up to `threads` threads, and n.
+inline std::vector<std::size_t> range_cuts(std::size_t n, int threads) {
+  const std::size_t parts = worth_threads(n, threads);
+  std::vector<std::size_t> cuts;
+  for (std::size_t part = 0; part <= parts; ++part) cuts.push_back(n * part / parts);
+  return cuts;
+}
+
+/// The results of work(begin, end) on each range between two cuts, in their order, each on a thread
+/// of its own. Rethrows the exception of the first that threw.
+template <class Work>
+auto parallel_results(const std::vector<std::size_t>& cuts, Work&& work) {
+  std::vector<decltype(work(cuts[0], cuts[1]))> results(cuts.size() - 1);
+  parallel_each(results.size(),
+                [&](std::size_t part) { results[part] = work(cuts[part], cuts[part + 1]); });
+  return results;
+}
+
 /// Calls work(begin, end) on disjoint ranges that cover [0, n), on up to `threads` threads (at
 /// least one, the caller's). Items must be independent, so that the result does not depend on the
-/// split. Rethrows one exception of those thrown.
+/// split. Rethrows the exception of the lowest range of those thrown.
 template <class Work>
 void parallel_ranges(std::size_t n, int threads, Work&& work) {
   const std::size_t parts = worth_threads(n, threads);

@@ -7,10 +7,12 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "kernel/large_array.h"
+#include "kernel/parallel.h"
 
 namespace tetsculpt {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 constexpr int kDigitBits = 11;
 constexpr int kDigits = 3;
 constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
+using Histogram = std::array<std::size_t, kBuckets>;
 
 /// Sorts, stably, items of which few are out of order.
 void insertion_sort(KeyedIndex* first, KeyedIndex* last) {
@@ -30,7 +33,7 @@ void insertion_sort(KeyedIndex* first, KeyedIndex* last) {
 }
 
 /// Sorts the items that agree in all bits from `low` up.
-void sort_by_lower_bits(LargeArray<KeyedIndex>& items, int low) {
+void sort_by_lower_bits(std::span<KeyedIndex> items, int low) {
   constexpr std::ptrdiff_t kFew = 24;
   KeyedIndex* const end = items.data() + items.size();
   for (KeyedIndex* first = items.data(); first != end;) {
@@ -47,30 +50,94 @@ void sort_by_lower_bits(LargeArray<KeyedIndex>& items, int low) {
   }
 }
 
-}  // namespace
+/// The digits by which keys are sorted: the highest in which they differ.
+struct Digits {
+  int low;  ///< bits below the lowest digit
 
-void radix_sort(LargeArray<KeyedIndex>& items) {
-  if (items.empty()) return;
-  std::uint64_t differing = 0;
-  for (const KeyedIndex& item : items) differing |= item.key ^ items[0].key;
-  const int low = std::max(0, static_cast<int>(std::bit_width(differing)) - kDigits * kDigitBits);
-  const auto digit = [low](std::uint64_t key, int d) {
-    return static_cast<std::size_t>(key >> (low + d * kDigitBits)) & (kBuckets - 1);
-  };
-  std::vector<std::array<std::size_t, kBuckets>> histogram(kDigits);
-  for (const KeyedIndex& item : items) {
-    for (int d = 0; d < kDigits; ++d) ++histogram[static_cast<std::size_t>(d)][digit(item.key, d)];
+  explicit Digits(std::span<const KeyedIndex> items, int threads) {
+    const auto differing = [&](std::size_t begin, std::size_t end) {
+      std::uint64_t bits = 0;
+      for (std::size_t k = begin; k < end; ++k) bits |= items[k].key ^ items[0].key;
+      return bits;
+    };
+    std::uint64_t bits = 0;
+    for (const auto b : parallel_results(range_cuts(items.size(), threads), differing)) bits |= b;
+    low = std::max(0, static_cast<int>(std::bit_width(bits)) - kDigits * kDigitBits);
   }
-  LargeArray<KeyedIndex> other(items.size());
+  std::size_t operator()(const KeyedIndex& item, int d) const {
+    return static_cast<std::size_t>(item.key >> (low + d * kDigitBits)) & (kBuckets - 1);
+  }
+};
+
+/// Moves the items from one place to another of the same size, sorted. Uses up what it took.
+void sort_into(std::span<KeyedIndex> to, std::span<KeyedIndex> from, const Digits& digit) {
+  if (from.empty()) return;
+  std::vector<Histogram> histogram(kDigits);
+  for (const KeyedIndex& item : from) {
+    for (int d = 0; d < kDigits; ++d) ++histogram[static_cast<std::size_t>(d)][digit(item, d)];
+  }
+  bool moved = false;
   for (int d = 0; d < kDigits; ++d) {
-    auto& start = histogram[static_cast<std::size_t>(d)];
-    if (start[digit(items[0].key, d)] == items.size()) continue;
+    Histogram& start = histogram[static_cast<std::size_t>(d)];
+    if (start[digit(from[0], d)] == from.size()) continue;
     std::size_t sum = 0;
     for (std::size_t& s : start) sum += std::exchange(s, sum);
-    for (const KeyedIndex& item : items) other[start[digit(item.key, d)]++] = item;
-    items.swap(other);
+    for (const KeyedIndex& item : from) to[start[digit(item, d)]++] = item;
+    std::swap(to, from);
+    moved = !moved;
   }
-  if (low > 0) sort_by_lower_bits(items, low);
+  // What was moved last is in `from` now.
+  if (digit.low > 0) sort_by_lower_bits(from, digit.low);
+  if (!moved) std::ranges::copy(from, to.begin());
+}
+
+/// Puts the items in ranges of their highest digit, as many as there are threads and about as large
+/// as each other. Returns where they begin, and the end.
+std::vector<std::size_t> split_into(std::span<KeyedIndex> to, std::span<const KeyedIndex> from,
+                                    const Digits& digit, const std::vector<std::size_t>& cuts) {
+  const auto count = [&](std::size_t begin, std::size_t end) {
+    Histogram histogram{};
+    for (std::size_t k = begin; k < end; ++k) ++histogram[digit(from[k], kDigits - 1)];
+    return histogram;
+  };
+  Histogram range_of{};  // per digit
+  std::vector<std::size_t> begin{0};
+  const std::vector<Histogram> counts = parallel_results(cuts, count);
+  std::size_t sum = 0;
+  for (std::size_t b = 0; b < kBuckets; ++b) {
+    while (begin.size() < cuts.size() - 1 && sum >= cuts[begin.size()]) begin.push_back(sum);
+    range_of[b] = begin.size() - 1;
+    for (const Histogram& c : counts) sum += c[b];
+  }
+  begin.resize(cuts.size(), sum);
+  parallel_each(cuts.size() - 1, [&](std::size_t range) {
+    std::size_t at = begin[range];
+    for (const KeyedIndex& item : from) {
+      if (range_of[digit(item, kDigits - 1)] == range) to[at++] = item;
+    }
+  });
+  return begin;
+}
+
+}  // namespace
+
+void radix_sort(LargeArray<KeyedIndex>& items, int threads) {
+  if (items.empty()) return;
+  const Digits digits(items, threads);
+  LargeArray<KeyedIndex> other(items.size());
+  const std::vector<std::size_t> cuts = range_cuts(items.size(), threads);
+  if (cuts.size() == 2) {
+    sort_into(other, items, digits);
+    items.swap(other);
+    return;
+  }
+  const std::vector<std::size_t> begin = split_into(other, items, digits, cuts);
+  parallel_each(cuts.size() - 1, [&](std::size_t range) {
+    const auto in = [&](LargeArray<KeyedIndex>& of) {
+      return std::span(of).subspan(begin[range], begin[range + 1] - begin[range]);
+    };
+    sort_into(in(items), in(other), digits);
+  });
 }
 
 }  // namespace tetsculpt

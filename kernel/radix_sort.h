@@ -14,7 +14,8 @@ struct KeyedIndex {
 
 /// Sorts by key, stably. Digits that are the same in all keys cost nothing.
 /// Cost: at most three passes, and m log m comparisons for m keys that agree in the 33 bits from
-/// the highest one down that differs anywhere; memory for a second copy.
-void radix_sort(LargeArray<KeyedIndex>& items);
+/// the highest one down that differs anywhere; memory for a second copy. On up to `threads`
+/// threads, each of which takes a range of keys, for one pass more.
+void radix_sort(LargeArray<KeyedIndex>& items, int threads = 1);
 
 }  // namespace tetsculpt

@@ -159,7 +159,7 @@ Reconstruction reconstruct(std::span<const Point3> points, const ReconstructOpti
   const LargeArrayReuse reuse;
   Reconstruction out;
   Stopwatch watch;
-  const DistinctPoints distinct = distinct_points(points);
+  const DistinctPoints distinct = distinct_points(points, options.threads);
   const TetComplex complex = delaunay(
       distinct, {.threads = options.threads, .progress = stage_progress(options, "delaunay")});
   out.counts.vertices = distinct.points.size();

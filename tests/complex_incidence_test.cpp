@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "kernel/delaunay.h"
@@ -30,7 +31,7 @@ Triangle facet_corners(const TetComplex& complex, TetId t, int corner) {
   return {v[c[0]], v[c[1]], v[c[2]]};
 }
 
-std::size_t bad_triangles(const TetComplex& complex, const std::vector<Point3>& points) {
+std::size_t bad_triangles(const TetComplex& complex, std::span<const Point3> points) {
   std::size_t bad = 0;
   for (std::uint32_t i = 0; i < complex.triangle_count(); ++i) {
     const TriangleId id{i};

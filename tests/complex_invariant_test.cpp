@@ -14,7 +14,8 @@ namespace tetsculpt {
 namespace {
 
 std::vector<Point3> some_points() {
-  return distinct_points(point_sets::uniform_cube(40, 1)).points;
+  const DistinctPoints distinct = distinct_points(point_sets::uniform_cube(40, 1));
+  return {distinct.points.begin(), distinct.points.end()};
 }
 
 std::string complaint(LiftedHull hull, const std::vector<Point3>& points) {

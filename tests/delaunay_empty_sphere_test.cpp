@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace tetsculpt {
 namespace {
 
-std::size_t points_inside(const std::vector<Point3>& points, const TetComplex& complex) {
+std::size_t points_inside(std::span<const Point3> points, const TetComplex& complex) {
   std::size_t inside = 0;
   for (std::uint32_t t = 0; t < complex.finite_tet_count(); ++t) {
     const auto& v = complex.vertices(TetId{t});

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/delaunay.h"
@@ -22,7 +23,7 @@ struct Facing {
   Point3 apex;
 };
 
-Facing facing(const std::vector<Point3>& points, const TetComplex& complex, TetId t, int i) {
+Facing facing(std::span<const Point3> points, const TetComplex& complex, TetId t, int i) {
   const Facet other = complex.across(t, i);
   const VertexId apex = complex.vertices(other.tet)[static_cast<std::size_t>(other.corner)];
   Facing f{{}, points[+apex]};
@@ -33,7 +34,7 @@ Facing facing(const std::vector<Point3>& points, const TetComplex& complex, TetI
   return f;
 }
 
-std::size_t bad_facets(const std::vector<Point3>& points, const TetComplex& complex) {
+std::size_t bad_facets(std::span<const Point3> points, const TetComplex& complex) {
   std::size_t bad = 0;
   for (std::uint32_t t = 0; t < complex.tet_count(); ++t) {
     const bool finite = complex.finite(TetId{t});

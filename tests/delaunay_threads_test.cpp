@@ -77,7 +77,7 @@ TEST_CASE("the same tetrahedra, neighbours, triangles and edges in the same orde
 }
 
 TEST_CASE("progress never falls, told by the caller's thread alone") {
-  const std::vector<Point3> points =
+  const LargeArray<Point3> points =
       distinct_points(point_sets::uniform_cube(testing::kSanitized ? 50000 : 200000, 6)).points;
   double last = 0;
   std::size_t falls = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ std::optional<std::size_t> refused(const std::vector<Point3>& points) {
   return std::nullopt;
 }
 
-bool in_range(const std::vector<Point3>& points) {
+bool in_range(std::span<const Point3> points) {
   for (const Point3& p : points) {
     for (const double x : {p.x, p.y, p.z}) {
       const double units = std::ldexp(x, -kMinExponent);

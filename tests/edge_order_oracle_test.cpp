@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "kernel/delaunay.h"
@@ -16,7 +17,7 @@ namespace tetsculpt {
 namespace {
 
 /// Pairs of edges in the wrong order. All pairs, so that the order is seen to be transitive.
-std::size_t inversions(const std::vector<Point3>& points, const TetComplex& complex,
+std::size_t inversions(std::span<const Point3> points, const TetComplex& complex,
                        const std::vector<EdgeId>& order) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {

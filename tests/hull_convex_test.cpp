@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -15,15 +16,14 @@ namespace tetsculpt {
 namespace {
 
 /// An infinite facet with `p` in the place of infinity is positively oriented if p lies beyond it.
-Sign side(const std::vector<Point3>& points, const std::array<VertexId, 4>& facet,
-          const Point3& p) {
+Sign side(std::span<const Point3> points, const std::array<VertexId, 4>& facet, const Point3& p) {
   std::array<Point3, 4> c;
   for (std::size_t i = 0; i < 4; ++i) c[i] = facet[i] == kInfinite ? p : points[+facet[i]];
   return orient3d(c[0], c[1], c[2], c[3]);
 }
 
 void check_convex(const std::vector<Point3>& input) {
-  const std::vector<Point3> points = distinct_points(input).points;
+  const LargeArray<Point3> points = distinct_points(input).points;
   const LiftedHull hull = lifted_hull(points);
   std::size_t beyond = 0;
   std::size_t without_inner_point = 0;

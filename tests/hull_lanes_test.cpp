@@ -155,7 +155,7 @@ TEST_CASE("the same hull") {
        {point_sets::uniform_cube(5000, 1), point_sets::bumpy_sphere(5000, 2),
         point_sets::random_lattice(3000, 12, 3), point_sets::grid(12),
         point_sets::clusters(3000, 4)}) {
-    const std::vector<Point3> points = distinct_points(set).points;
+    const LargeArray<Point3> points = distinct_points(set).points;
     const LiftedHull four = lifted_hull(points);
     const LiftedHull one = lifted_hull(points, {.four_lanes = false});
     CHECK(one.finite_count == four.finite_count);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,7 @@ std::size_t unmatched_facets(const LiftedHull& hull) {
   return wrong;
 }
 
-std::size_t misplaced_facets(const LiftedHull& hull, const std::vector<Point3>& points) {
+std::size_t misplaced_facets(const LiftedHull& hull, std::span<const Point3> points) {
   std::size_t wrong = 0;
   for (std::size_t t = 0; t < hull.tets.size(); ++t) {
     const Corners& c = hull.tets[t];
@@ -92,7 +93,7 @@ TEST_CASE("small and middling solids") {
   sets.insert(sets.end(), more.begin(), more.end());
   for (const auto& set : sets) {
     CAPTURE(set.name);
-    const std::vector<Point3> points = distinct_points(set.points).points;
+    const LargeArray<Point3> points = distinct_points(set.points).points;
     const LiftedHull hull = lifted_hull(points);
     CHECK(hull.finite_count > 0);
     CHECK(hull.neighbors.size() == hull.tets.size());

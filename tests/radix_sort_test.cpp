@@ -10,11 +10,11 @@
 namespace tetsculpt {
 namespace {
 
-std::size_t differences_from_stable_sort(LargeArray<KeyedIndex> items) {
+std::size_t differences_from_stable_sort(LargeArray<KeyedIndex> items, int threads = 1) {
   LargeArray<KeyedIndex> expected = items;
   std::stable_sort(expected.begin(), expected.end(),
                    [](const KeyedIndex& a, const KeyedIndex& b) { return a.key < b.key; });
-  radix_sort(items);
+  radix_sort(items, threads);
   REQUIRE(items.size() == expected.size());
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -57,6 +57,19 @@ TEST_CASE("keys that agree in their high bits, few and many at a time") {
     }
     CAPTURE(seed);
     CHECK(differences_from_stable_sort(items) == 0);
+  }
+}
+
+TEST_CASE("on several threads, keys spread evenly or not, digits left out") {
+  for (const std::uint64_t mask : {~0ull, 0ull, 0x3ull << 30, 0x7ffull << 40, 0xff00000000ffull}) {
+    const std::uint64_t seed = 8;
+    point_sets::Random random(seed);
+    LargeArray<KeyedIndex> items(20000);
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+      items[i] = {(i % 3 == 0 ? random.bits() : random.bits() >> 20) & mask, i};
+    }
+    CAPTURE(mask);
+    for (const int threads : {2, 3, 7}) CHECK(differences_from_stable_sort(items, threads) == 0);
   }
 }
 

@@ -68,7 +68,8 @@ TEST_CASE("by the paper: every step is the replayed solid's surface, closed and 
     CHECK(record.step_count == testing::removal_steps(sculpture).size());
     check_every_step(s, steps, record);
     for (std::uint32_t step = 0; step <= record.step_count; ++step) {
-      const TriangleMesh mesh{s.distinct.points, surface_after(record, step)};
+      const auto points = s.points();
+      const TriangleMesh mesh{{points.begin(), points.end()}, surface_after(record, step)};
       const auto broken = broken_invariant(mesh);
       INFO("step ", step, ": ", broken.value_or(""));
       REQUIRE_FALSE(broken);

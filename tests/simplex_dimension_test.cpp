@@ -75,14 +75,19 @@ TEST_CASE("one ulp makes the difference") {
   CHECK(dimension({{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, up}}) == 4);
 }
 
+int distinct_dimension(const std::vector<Point3>& points) {
+  const DistinctPoints distinct = distinct_points(points);
+  return dimension({distinct.points.begin(), distinct.points.end()});
+}
+
 TEST_CASE("the catalogue") {
   for (const auto& set : oracle::flat_sets()) {
     CAPTURE(set.name);
-    CHECK(dimension(distinct_points(set.points).points) < 4);
+    CHECK(distinct_dimension(set.points) < 4);
   }
   for (const auto& set : oracle::small_solids()) {
     CAPTURE(set.name);
-    CHECK(dimension(distinct_points(set.points).points) == 4);
+    CHECK(distinct_dimension(set.points) == 4);
   }
 }
 

@@ -28,7 +28,7 @@ Flags Stages::random_labels(double share, std::uint64_t seed) const {
 }
 
 TriangleMesh Stages::surface(const Flags& inside) const {
-  TriangleMesh mesh{distinct.points, {}};
+  TriangleMesh mesh{{distinct.points.begin(), distinct.points.end()}, {}};
   const auto index = [](VertexId v) { return static_cast<std::uint32_t>(+v); };
   for (const auto& [a, b, c] : boundary_triangles(complex, inside)) {
     mesh.triangles.push_back({index(a), index(b), index(c)});
