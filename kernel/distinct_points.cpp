@@ -135,6 +135,7 @@ LargeArray<std::uint32_t> merge_equal(DistinctPoints& result) {
 
 DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
   if (points.size() > kMaxPoints) throw std::length_error("more than 100 million points");
+  const LargeArrayReuse reuse;
   DistinctPoints result;
   require_finite(points, threads);
   const BinaryRange range = range_of(points, threads);

@@ -9,6 +9,7 @@
 #include "kernel/large_array.h"
 #include "kernel/large_block.h"
 #include "kernel/parallel.h"
+#include "kernel/radix_sort.h"
 
 namespace tetsculpt::hull {
 namespace {
@@ -169,10 +170,10 @@ class Output {
   }
 
   void write_large_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
-    std::vector<Item> items;
-    for (std::uint32_t i = begin; i < end; ++i) items.push_back(item(i));
-    std::ranges::sort(items, {}, &Item::key);
-    for (std::uint32_t i = begin; i < end; ++i) put(items[i - begin], hull, i);
+    LargeArray<KeyedIndex> order;
+    for (std::uint32_t i = begin; i < end; ++i) order.push_back({item(i).key(), i});
+    radix_sort(order);
+    for (std::uint32_t i = begin; i < end; ++i) put(item(order[i - begin].index), hull, i);
   }
 
   Item item(std::uint32_t i) const {

@@ -44,7 +44,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -152,7 +152,7 @@ class Construction {
       const std::span<const Site> round = rounds[r];
       const std::size_t threads = worth_threads(round.size(), options_.threads);
       if (threads == 1) {
-        insert(round, inserter_, [&](std::size_t k) { report(k); });
+        insert(round, {}, inserter_, [&](std::size_t k) { report(k); });
       } else {
         insert_in_parallel(round, threads);
       }
@@ -183,14 +183,23 @@ class Construction {
                       static_cast<double>(points_.size()));
   }
 
-  /// Calls told(k) now and then, with the number of sites that are in.
+  /// Inserts those of the range. Calls told(k) now and then, with the number of sites that are in.
   template <class Told>
-  void insert(std::span<const Site> sites, Inserter& inserter, Told&& told) const {
+  void insert(std::span<const Site> sites, hull::SiteRange range, Inserter& inserter,
+              Told&& told) const {
     constexpr std::size_t kReportEvery = 32768 * Inserter::kBatch;
-    for (std::size_t k = 0; k < sites.size(); k += Inserter::kBatch) {
-      inserter.insert(sites.subspan(k, std::min(Inserter::kBatch, sites.size() - k)));
-      if (k % kReportEvery == 0) told(k);
+    std::array<Site, Inserter::kBatch> batch;
+    std::size_t size = 0;
+    std::size_t in = 0;
+    for (const Site s : sites) {
+      if (!range.contains(s)) continue;
+      batch[size++] = s;
+      if (size < batch.size()) continue;
+      inserter.insert(batch);
+      if (in % kReportEvery == 0) told(in);
+      in += std::exchange(size, 0);
     }
+    inserter.insert(std::span(batch).first(size));
   }
 
   /// Each thread inserts a stretch of the curve, as far as it meets no other's. What is left then
@@ -206,7 +215,7 @@ class Construction {
       }
       left = insert_stretches(left, cuts, round.size() - left.size());
     }
-    insert(left, inserter_, [&](std::size_t k) { report(round.size() - left.size() + k); });
+    insert(left, {}, inserter_, [&](std::size_t k) { report(round.size() - left.size() + k); });
   }
 
   /// A stretch begins at each cut, the last one goes on at the curve's beginning. What no stretch
@@ -219,19 +228,12 @@ class Construction {
     };
     inserter_.mark_free();
     std::vector<Inserter> inserters;
-    std::vector<std::vector<Site>> own(threads);
-    for (std::size_t t = 0; t < threads; ++t) {
-      inserters.push_back(inserter_.helper(range(t)));
-    }
-    parallel_each(threads, [&](std::size_t t) {
-      inserters[t].look_around();
-      std::ranges::copy_if(sites, std::back_inserter(own[t]),
-                           [&](Site s) { return range(t).contains(s); });
-    });
+    for (std::size_t t = 0; t < threads; ++t) inserters.push_back(inserter_.helper(range(t)));
+    parallel_each(threads, [&](std::size_t t) { inserters[t].look_around(); });
     facets_.share();
     std::atomic<bool> cancelled = false;
     parallel_each(threads, [&](std::size_t t) {
-      insert(own[t], inserters[t], [&](std::size_t k) {
+      insert(sites, range(t), inserters[t], [&](std::size_t k) {
         if (t == 0) {
           report_or_set(cancelled, in + k);
         } else if (cancelled) {
