@@ -20,14 +20,18 @@
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
 // is a multiple of its power of g that fits in 53 bits: nothing was rounded, and the value is exact
 // (for an infinite facet: 2^53 g^3). On integer grids this decides nearly all ties without
-// expansions. Where many points are on one sphere, that of the first simplex, ties among them need
-// no test at all: a quarter off the hull of a lattice sphere.
+// expansions. Where coordinates are within 2^16 units, nothing that orient3d computes is rounded,
+// and one number per site holds its lexicographic order, so that a tie takes one determinant and no
+// branch on which point is dominant. Where in addition many points are on one sphere, that of the
+// first simplex, ties among them need no test: together with walks over the hull two fifths off the
+// hull of a lattice sphere, and a tenth off that of a grid.
 #include "kernel/hull_facets.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cfloat>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "kernel/perturbation.h"
@@ -77,6 +81,30 @@ double value(const Normal& n, const LiftedDifference& d) {
   return n.x * d.x + n.y * d.y + n.z * d.z + n.w * d.w;
 }
 
+/// See Facets::lattice_.
+LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, double per_unit) {
+  constexpr int kBits = 16;
+  LargeArray<std::uint64_t> numbers;
+  if (sites.empty()) return numbers;
+  Point3 low = sites[0];
+  Point3 high = sites[0];
+  for (const Point3& p : sites) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  if (!(extent * per_unit < 1 << kBits)) return numbers;
+  const auto units = [&](double difference) {
+    return static_cast<std::uint64_t>(difference * per_unit);
+  };
+  numbers.reserve(sites.size());
+  for (const Point3& p : sites) {
+    const std::uint64_t xy = units(p.x - low.x) << kBits | units(p.y - low.y);
+    numbers.push_back((xy << kBits | units(p.z - low.z)) << 3);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 Facets::Facets(std::span<const Point3> sites, double unit)
@@ -86,6 +114,7 @@ Facets::Facets(std::span<const Point3> sites, double unit)
       per_unit_(1 / unit),
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit),
+      lattice_(lattice_numbers(sites, per_unit_)),
       facets_(kExpectedPerSite * sites.size() + kBlock) {}
 
 bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
@@ -112,7 +141,7 @@ void Facets::unshare() {
 void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
   constexpr std::size_t kSample = 64;
   constexpr std::size_t kMany = 16;  // of them
-  if (sites_.size() < kSample) return;
+  if (lattice_.size() < kSample) return;
   const auto on_sphere = [&](std::size_t s) {
     return insphere(sites_[simplex[0]], sites_[simplex[1]], sites_[simplex[2]], sites_[simplex[3]],
                     sites_[s]) == Sign::kZero;
@@ -120,15 +149,8 @@ void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < kSample; ++k) found += on_sphere(sites_.size() * k / kSample);
   if (found < kMany) return;
-  std::vector<Site> order;
   for (std::size_t s = 0; s < sites_.size(); ++s) {
-    if (on_sphere(s)) order.push_back(static_cast<Site>(s));
-  }
-  std::ranges::sort(order,
-                    [&](Site s, Site t) { return lexicographically_less(sites_[s], sites_[t]); });
-  rank_on_sphere_.resize(sites_.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    rank_on_sphere_[order[k]] = static_cast<std::uint32_t>(k + 1);
+    if (on_sphere(s)) lattice_[s] |= kOnSphere;
   }
 }
 
@@ -185,8 +207,10 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
   const auto judged_by = [&](auto&& judge) {
     return judge(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
   };
-  if (remembers_sphere()) {
-    if (const std::optional<bool> visible = cospherical_visible(f, q)) return *visible;
+  if (!lattice_.empty()) {
+    const std::uint64_t all =
+        lattice_[c[0]] & lattice_[c[1]] & lattice_[c[2]] & lattice_[c[3]] & lattice_[q];
+    if ((all & kOnSphere) != 0) return tie_visible(f, q);
   }
   const Point3& origin = sites_[c[0]];
   const std::array<LiftedDifference, 4> d = {
@@ -200,38 +224,37 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
     const double height = value(normal(d[0], d[1], d[2]), d[3]);
     if (height != 0) return height > 0;
   }
-  if (exact) return judged_by(perturbed_inside);
+  if (exact) return tie_visible(f, q);
   const std::optional<Sign> side =
       judged_by([&](const auto&... points) { return insphere_in_units(points..., per_unit_); });
   if (!side) return judged_by(in_perturbed_sphere);
-  return *side != Sign::kZero ? *side == Sign::kPositive : judged_by(perturbed_inside);
+  return *side != Sign::kZero ? *side == Sign::kPositive : tie_visible(f, q);
 }
 
-/// Whether q sees a finite facet that has its sphere in common with many sites, q among them;
-/// nothing if that is another sphere, or not clear.
-std::optional<bool> Facets::cospherical_visible(FacetIndex f, Site q) const {
+/// Whether q, which is on the sphere of a finite facet, sees it: the rule of perturbed_inside.
+bool Facets::tie_visible(FacetIndex f, Site q) const {
   const auto& c = corners(f);
-  const auto rank = [&](Site s) -> std::uint64_t { return rank_on_sphere_[s]; };
-  const std::array<std::uint64_t, 5> ranks{rank(c[0]), rank(c[1]), rank(c[2]), rank(c[3]), rank(q)};
-  std::uint64_t lowest = ranks[0];
-  std::uint64_t greatest = 0;  // and where it is, in the last bits
-  for (std::size_t i = 0; i < 5; ++i) {
-    lowest = std::min(lowest, ranks[i]);
-    greatest = std::max(greatest, ranks[i] << 3 | i);
-  }
-  if (lowest == 0) return std::nullopt;
-  // The rule of perturbed_inside: q is inside if it is on the same side as the corner with the
-  // dominant eps of the plane through the others, here in an order in which that is positive.
-  static constexpr std::uint8_t kOthers[4][3] = {{2, 1, 3}, {2, 3, 0}, {0, 3, 1}, {0, 1, 2}};
-  const std::size_t dominant = greatest & 7;
-  if (dominant == 4) return false;
-  const auto& others = kOthers[dominant];
-  const Sign side =
-      orient3d(sites_[c[others[0]]], sites_[c[others[1]]], sites_[c[others[2]]], sites_[q]);
-  if (side == Sign::kZero) {
+  if (lattice_.empty()) {
     return perturbed_inside(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[c[3]], sites_[q]);
   }
-  return side == Sign::kPositive;
+  const auto number = [&](Site s, std::uint64_t place) {
+    return (lattice_[s] & ~kOnSphere) | place;
+  };
+  std::array<std::uint64_t, 5> left{number(c[0], 0), number(c[1], 1), number(c[2], 2),
+                                    number(c[3], 3), number(q, 4)};
+  for (;;) {
+    const std::size_t dominant = std::ranges::max(left) & 7;
+    if (dominant == 4) return false;
+    // The others, in an order in which this corner is above their plane.
+    static constexpr std::uint8_t kOthers[4][3] = {{2, 1, 3}, {2, 3, 0}, {0, 3, 1}, {0, 1, 2}};
+    const auto& others = kOthers[dominant];
+    const Point3& origin = sites_[c[others[0]]];
+    const Normal plane = half_space(lifted_difference(sites_[c[others[1]]], origin),
+                                    lifted_difference(sites_[c[others[2]]], origin));
+    const double height = value(plane, lifted_difference(sites_[q], origin));
+    if (height != 0) return height > 0;
+    left[dominant] = 0;
+  }
 }
 
 /// A point in the plane of a hull triangle sees the infinite facet there iff it sees the finite

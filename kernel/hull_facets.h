@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <cstring>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "kernel/large_array.h"
 #include "kernel/large_block.h"
 #include "kernel/point.h"
 
@@ -124,12 +124,11 @@ class Facets {
   LargeBlock<FacetLinks> take_links(int threads, Seen&& seen) {
     return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0), threads, seen);
   }
-  /// If many sites are on the sphere through these four, remembers which, so that no test among
-  /// them has to find that out.
+  /// If the sites are on a small lattice, and many on the sphere through these four, remembers
+  /// which, so that no test among them has to find that out.
   void remember_sphere(const std::array<Site, 4>& simplex);
-  bool remembers_sphere() const { return !rank_on_sphere_.empty(); }
-  /// Whether it is on the sphere that is remembered.
-  bool on_sphere(Site s) const { return remembers_sphere() && rank_on_sphere_[s] != 0; }
+  /// Whether it is on the sphere that is remembered, if one is.
+  bool on_sphere(Site s) const { return !lattice_.empty() && (lattice_[s] & kOnSphere) != 0; }
   /// Between these, several threads may append.
   void share() { shared_ = true; }
   void unshare();
@@ -186,12 +185,9 @@ class Facets {
  private:
   bool finite_visible(FacetIndex f, Site q) const;
   bool coplanar_visible(FacetIndex f, Site q) const;
-  std::optional<bool> cospherical_visible(FacetIndex f, Site q) const;
+  bool tie_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
-  /// If many sites are on one sphere: per site, 1 plus its place among those in lexicographic
-  /// order, or 0 if it is not on it.
-  std::vector<std::uint32_t> rank_on_sphere_;
   bool shared_ = false;
   bool full_ = false;  ///< some thread was told that there is no room
   std::mutex growing_;
@@ -200,6 +196,10 @@ class Facets {
   double per_unit_;              ///< 1 / unit
   double exact_below_;           ///< bound on an error of a finite facet below which there is none
   double exact_below_infinite_;  ///< the same for an infinite facet
+  static constexpr std::uint64_t kOnSphere = std::uint64_t{1} << 63;
+  /// Per site, if all coordinates are within 2^16 units: a number in lexicographic order, whose
+  /// last three bits are zero; and kOnSphere.
+  LargeArray<std::uint64_t> lattice_;
   std::size_t size_ = 0;
   LargeBlock<Facet> facets_;
 };
