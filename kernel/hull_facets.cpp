@@ -23,8 +23,8 @@
 // expansions. Where coordinates are within 2^16 units, nothing that orient3d computes is rounded,
 // and one number per site holds its lexicographic order, so that a tie takes one determinant and no
 // branch on which point is dominant. Where in addition many points are on one sphere, that of the
-// first simplex, ties among them need no test: together with walks over the hull two fifths off the
-// hull of a lattice sphere, and a tenth off that of a grid.
+// first simplex, ties among them need no test: together with walks over the hull a third off the
+// hull of a lattice sphere; a fifth off that of a grid.
 #include "kernel/hull_facets.h"
 
 #include <algorithm>
