@@ -445,8 +445,9 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
   return at_border ? kNone : locate_exactly(q, f);
 }
 
-/// From one infinite facet to another that q sees or that is higher below it than its neighbours.
-/// Where all points are on a sphere that is nearer than inside, where all powers are zero.
+/// From one infinite facet to another that q sees or that is higher below it than its neighbours in
+/// the range. Where all points are on a sphere that is nearer than inside, where all powers are
+/// zero.
 FacetIndex Inserter::walk_on_hull(Site q, FacetIndex f) const {
   const Point3 point = points_[q];
   const auto distance = [&](FacetIndex g) {

@@ -47,7 +47,7 @@ inline std::vector<std::size_t> range_cuts(std::size_t n, int threads) {
 }
 
 /// The results of work(begin, end) on each range between two cuts, in their order, each on a thread
-/// of its own. Rethrows the exception of the first that threw.
+/// of its own. Rethrows the exception of the lowest range.
 template <class Work>
 auto parallel_results(const std::vector<std::size_t>& cuts, Work&& work) {
   std::vector<decltype(work(cuts[0], cuts[1]))> results(cuts.size() - 1);

@@ -12,7 +12,7 @@ struct KeyedIndex {
   std::uint32_t index;
 };
 
-/// Sorts by key, stably. Digits that are the same in all keys cost nothing.
+/// Sorts by key, stably. Digits that are the same in all keys cost no pass.
 /// Cost: at most three passes, and m log m comparisons for m keys that agree in the 33 bits from
 /// the highest one down that differs anywhere; memory for a second copy. On up to `threads`
 /// threads, each of which takes a range of keys, for one pass more.

@@ -29,7 +29,8 @@ std::vector<Set> large_sets() {
           {"torus, seed 3", point_sets::random_torus(30000, 3)},
           {"clusters, seed 4", point_sets::clusters(30000, 4)},
           {"lattice of side 40, seed 5", point_sets::random_lattice(50000, 40, 5)},
-          {"grid of side 32", point_sets::grid(32)}};
+          {"grid of side 32", point_sets::grid(32)},
+          {"17,280 points of a lattice sphere", point_sets::lattice_sphere(1500005)}};
 }
 
 /// How many tetrahedra, triangles and edges are not those of another complex; all, where their

@@ -97,8 +97,8 @@ TEST_CASE("the first faulty point on several threads") {
     return false;
   };
   input[29000].x = 0x1p-1070;
-  input[21000].x = 0x1p-1070;
-  CHECK(faulty(21000));
+  input[15000].x = 0x1p-1070;
+  CHECK(faulty(15000));
   input[28000].z = NAN;
   input[12000].y = HUGE_VAL;
   CHECK(faulty(12000));

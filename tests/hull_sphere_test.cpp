@@ -40,7 +40,7 @@ TEST_CASE("facets among cospherical sites see what is in the perturbed sphere") 
   constexpr std::uint64_t kSeed = 3;
   CAPTURE(kSeed);
   const std::size_t on_sphere = point_sets::lattice_sphere(5001).size();
-  // The last two times 141 units long are within 2^16 and beyond.
+  // The last two times 140 units long are within 2^16 and beyond.
   for (const double unit : {1.0, 0x1p-40, 460.0, 470.0}) {
     CAPTURE(unit);
     Random random(kSeed);
