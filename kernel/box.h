@@ -18,6 +18,7 @@ struct Box {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  double longest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 };
 
 }  // namespace tetsculpt

@@ -64,10 +64,7 @@ BinaryRange range_of(std::span<const Point3> points, int threads) {
 void require_finite(std::span<const Point3> points, int threads) {
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Point3& p = points[i];
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-        throw InvalidPoint(i, "a coordinate is not a finite number");
-      }
+      if (!finite(points[i])) throw InvalidPoint(i, "a coordinate is not a finite number");
     }
   });
 }

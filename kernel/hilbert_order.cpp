@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/box.h"
 #include "kernel/parallel.h"
 
 namespace tetsculpt {
@@ -110,23 +111,13 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
   return index;
 }
 
-/// A box around points.
-struct Box {
-  Point3 low;
-  Point3 high;
-  void include(const Point3& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
-
 Box box_of(std::span<const Point3> points, int threads) {
-  Box box{points[0], points[0]};
   const auto box_of_range = [&](std::size_t begin, std::size_t end) {
-    Box part = box;
+    Box part;
     for (std::size_t i = begin; i < end; ++i) part.include(points[i]);
     return part;
   };
+  Box box;
   for (const Box& part : parallel_results(range_cuts(points.size(), threads), box_of_range)) {
     box.include(part.low);
     box.include(part.high);
@@ -138,8 +129,7 @@ Box box_of(std::span<const Point3> points, int threads) {
 class Cells {
  public:
   explicit Cells(const Box& box) : low_(box.low) {
-    const Point3& high = box.high;
-    const double side = std::max({high.x - low_.x, high.y - low_.y, high.z - low_.z});
+    const double side = box.longest_side();
     cells_per_unit_ = side > 0 ? ((1 << kBitsPerAxis) - 1) / side : 0;
   }
   std::array<std::uint32_t, 3> operator()(const Point3& p) const {

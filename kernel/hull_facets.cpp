@@ -34,6 +34,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "kernel/box.h"
 #include "kernel/perturbation.h"
 #include "kernel/predicates.h"
 
@@ -81,19 +82,17 @@ double value(const Normal& n, const LiftedDifference& d) {
   return n.x * d.x + n.y * d.y + n.z * d.z + n.w * d.w;
 }
 
-/// See Facets::lattice_.
-LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, double per_unit) {
+/// See Facets::lattice_. `reach` is no more than the set's extent: most sets need no look.
+LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, double reach,
+                                          double per_unit) {
   constexpr int kBits = 16;
+  const auto within = [&](double extent) { return extent * per_unit < 1 << kBits; };
   LargeArray<std::uint64_t> numbers;
-  if (sites.empty()) return numbers;
-  Point3 low = sites[0];
-  Point3 high = sites[0];
-  for (const Point3& p : sites) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-  if (!(extent * per_unit < 1 << kBits)) return numbers;
+  if (!within(reach)) return numbers;
+  Box box;
+  for (const Point3& p : sites) box.include(p);
+  if (!within(box.longest_side())) return numbers;
+  const Point3& low = box.low;
   const auto units = [&](double difference) {
     return static_cast<std::uint64_t>(difference * per_unit);
   };
@@ -114,7 +113,7 @@ Facets::Facets(std::span<const Point3> sites, double unit)
       per_unit_(1 / unit),
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit),
-      lattice_(lattice_numbers(sites, per_unit_)),
+      lattice_(lattice_numbers(sites, reach_, per_unit_)),
       facets_(kExpectedPerSite * sites.size() + kBlock) {}
 
 bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
@@ -219,12 +218,10 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
   const std::array<double, 4> size = {l1_norm(d[0]), l1_norm(d[1]), l1_norm(d[2]), l1_norm(d[3])};
   const double error =
       22 * kUnit * size[0] * size[1] * size[2] * ((size[0] + size[1] + size[2]) * size[3] + d[3].w);
-  const bool exact = error < exact_below_;
-  if (exact) {
+  if (error < exact_below_) {
     const double height = value(normal(d[0], d[1], d[2]), d[3]);
-    if (height != 0) return height > 0;
+    return height != 0 ? height > 0 : tie_visible(f, q);
   }
-  if (exact) return tie_visible(f, q);
   const std::optional<Sign> side =
       judged_by([&](const auto&... points) { return insphere_in_units(points..., per_unit_); });
   if (!side) return judged_by(in_perturbed_sphere);

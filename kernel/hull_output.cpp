@@ -170,8 +170,8 @@ class Output {
   }
 
   void write_large_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
-    LargeArray<KeyedIndex> order;
-    for (std::uint32_t i = begin; i < end; ++i) order.push_back({item(i).key(), i});
+    LargeArray<KeyedIndex> order(end - begin);
+    for (std::uint32_t i = begin; i < end; ++i) order[i - begin] = {item(i).key(), i};
     radix_sort(order);
     for (std::uint32_t i = begin; i < end; ++i) put(item(order[i - begin].index), hull, i);
   }

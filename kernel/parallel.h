@@ -61,9 +61,8 @@ auto parallel_results(const std::vector<std::size_t>& cuts, Work&& work) {
 /// split. Rethrows the exception of the lowest range of those thrown.
 template <class Work>
 void parallel_ranges(std::size_t n, int threads, Work&& work) {
-  const std::size_t parts = worth_threads(n, threads);
-  if (parts == 1) return work(std::size_t{0}, n);
-  parallel_each(parts, [&](std::size_t part) { work(n * part / parts, n * (part + 1) / parts); });
+  const std::vector<std::size_t> cuts = range_cuts(n, threads);
+  parallel_each(cuts.size() - 1, [&](std::size_t part) { work(cuts[part], cuts[part + 1]); });
 }
 
 }  // namespace tetsculpt

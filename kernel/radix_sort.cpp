@@ -69,26 +69,25 @@ struct Digits {
   }
 };
 
-/// Moves the items from one place to another of the same size, sorted. Uses up what it took.
-void sort_into(std::span<KeyedIndex> to, std::span<KeyedIndex> from, const Digits& digit) {
-  if (from.empty()) return;
+/// Sorts items with the help of as much room; true if they are there afterwards.
+bool sort_with(std::span<KeyedIndex> room, std::span<KeyedIndex> items, const Digits& digit) {
+  if (items.empty()) return false;
   std::vector<Histogram> histogram(kDigits);
-  for (const KeyedIndex& item : from) {
+  for (const KeyedIndex& item : items) {
     for (int d = 0; d < kDigits; ++d) ++histogram[static_cast<std::size_t>(d)][digit(item, d)];
   }
   bool moved = false;
   for (int d = 0; d < kDigits; ++d) {
     Histogram& start = histogram[static_cast<std::size_t>(d)];
-    if (start[digit(from[0], d)] == from.size()) continue;
+    if (start[digit(items[0], d)] == items.size()) continue;
     std::size_t sum = 0;
     for (std::size_t& s : start) sum += std::exchange(s, sum);
-    for (const KeyedIndex& item : from) to[start[digit(item, d)]++] = item;
-    std::swap(to, from);
+    for (const KeyedIndex& item : items) room[start[digit(item, d)]++] = item;
+    std::swap(room, items);
     moved = !moved;
   }
-  // What was moved last is in `from` now.
-  if (digit.low > 0) sort_by_lower_bits(from, digit.low);
-  if (!moved) std::ranges::copy(from, to.begin());
+  if (digit.low > 0) sort_by_lower_bits(items, digit.low);
+  return moved;
 }
 
 /// Puts the items in ranges of their highest digit, as many as there are threads and about as large
@@ -127,8 +126,7 @@ void radix_sort(LargeArray<KeyedIndex>& items, int threads) {
   LargeArray<KeyedIndex> other(items.size());
   const std::vector<std::size_t> cuts = range_cuts(items.size(), threads);
   if (cuts.size() == 2) {
-    sort_into(other, items, digits);
-    items.swap(other);
+    if (sort_with(other, items, digits)) items.swap(other);
     return;
   }
   const std::vector<std::size_t> begin = split_into(other, items, digits, cuts);
@@ -136,7 +134,7 @@ void radix_sort(LargeArray<KeyedIndex>& items, int threads) {
     const auto in = [&](LargeArray<KeyedIndex>& of) {
       return std::span(of).subspan(begin[range], begin[range + 1] - begin[range]);
     };
-    sort_into(in(items), in(other), digits);
+    if (!sort_with(in(items), in(other), digits)) std::ranges::copy(in(other), in(items).begin());
   });
 }
 
