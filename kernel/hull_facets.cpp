@@ -1,20 +1,27 @@
-// A facet's hyperplane is computed once, relative to its first corner p, and divided by its last
-// component, so that a visibility test is three subtractions, a square and three multiply-adds
-// instead of a 4 x 4 determinant.
+// A facet's hyperplane is computed once, relative to its first corner p, divided by its last
+// component and moved to the middle of the set, so that a visibility test is three multiply-adds of
+// one row of four numbers, which needs no point but the query, against a constant.
 //
 // Error bound. Let A, B, C be the differences of the other corners from p and d that of the query,
-// each with a fourth component |.|^2, N the hyperplane through them, and u = 2^-53. Roundings per
-// path of N.d: differences 1, squares 5; a 2 x 2 minor of x, y, z 4, with the lift 8; a 3 x 3 minor
-// without the lift 8, with it 12; times the query's component and summed 12 + 1 + 1 + 3 = 8 + 5 + 1
-// + 3 = 17. The permanents obey, by Cauchy-Schwarz,
+// each with a fourth component |.|^2, N the hyperplane through them, R the radius, beyond which
+// there is no site, and u = 2^-53. Roundings per path of N.d: differences 1, squares 5; a 2 x 2
+// minor of x, y, z 4, with the lift 8; a 3 x 3 minor without the lift 8, with it 12; times the
+// query's component and summed 12 + 1 + 1 + 3 = 8 + 5 + 1 + 3 = 17. The permanents obey, by
+// Cauchy-Schwarz,
 //     P(y,z,w) <= |A| |B| |C| (|A| + |B| + |C|) =: pi sigma,    P(x,y,z) <= 1.16 pi.
-// Divided by -Nw as it was computed, which takes two roundings more of the other components, the
-// value is off by at most
-//     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny);
-// the constant 24 below, for both, covers the roundings of the bound itself. Where Nw has the wrong
-// sign or none, the bound is infinite. For an infinite facet C is (0, 0, 0, 1), the value is
-// -(A x B).d / (|A| |B|) in units of 1 / reach; 10 u reach (|dx| + |dy| + |dz|) is enough, 12
-// taken.
+// Divided by -Nw as it was computed, which takes two roundings more of the other components, n.d -
+// |d|^2 is off by at most
+//     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny)  <=  484 u R^2 pi / -Nw
+// with |d| <= 2 R and sigma <= 6 R; 1000 is taken, because pi comes from squares, whose product may
+// be subnormal. For an infinite facet C is (0, 0, 0, 1) and the value -(A x B).d / (|A| |B|), off
+// by 10 u (|dx| + |dy| + |dz|); times 2^60 R it is a height of 36 2^60 u R^2 of error, to which
+// neither w nor p's lift, below R^2, add much; 1000 taken. Where Nw has the wrong sign or none, the
+// bound is more than any height.
+//     Moved to the middle, n becomes n + 2 p and the offset |p|^2 - (n + 2 p).p: some 20 roundings
+// of |n| R + R^2, and 2^-40 of the offset, which is no more than that, for the bits that hold the
+// exponent. 2^-39 (R (|nx| + |ny| + |nz|) + 4 R^2) is enough for all. Tests that such a bound
+// leaves open are rare: a sample would have to be 10^5 times as dense in some place as its size is
+// large.
 //
 // All coordinates are multiples of a unit g. Where the value does not decide, N.d is computed again
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
@@ -47,14 +54,20 @@ constexpr std::size_t kExpectedPerSite = 16;
 /// Facets are appended in blocks, so that threads seldom wait for each other.
 constexpr std::size_t kBlock = 256;
 
-/// A power of two of about the size of the set.
-double reach_of(std::span<const Point3> sites) {
-  double reach = 0;
-  for (const Point3& p : sites) {
-    reach = std::max({reach, std::fabs(p.x - sites[0].x), std::fabs(p.y - sites[0].y),
-                      std::fabs(p.z - sites[0].z)});
-  }
-  return reach > 0 ? std::ldexp(1.0, std::ilogb(reach)) : 1;
+/// |x| + |y| + |z|.
+double l1_norm(const LiftedDifference& d) {
+  return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
+}
+
+Box box_of(std::span<const Point3> sites) {
+  Box box;
+  for (const Point3& p : sites) box.include(p);
+  return box;
+}
+
+/// Half the diagonal, a little more.
+double radius_of(const Box& box) {
+  return std::sqrt(lifted_difference(box.high, box.low).w) * (0.5 + 0x1p-30);
 }
 
 /// A hyperplane through the first corner, not divided.
@@ -82,16 +95,12 @@ double value(const Normal& n, const LiftedDifference& d) {
   return n.x * d.x + n.y * d.y + n.z * d.z + n.w * d.w;
 }
 
-/// See Facets::lattice_. `reach` is no more than the set's extent: most sets need no look.
-LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, double reach,
+/// See Facets::lattice_.
+LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, const Box& box,
                                           double per_unit) {
   constexpr int kBits = 16;
-  const auto within = [&](double extent) { return extent * per_unit < 1 << kBits; };
   LargeArray<std::uint64_t> numbers;
-  if (!within(reach)) return numbers;
-  Box box;
-  for (const Point3& p : sites) box.include(p);
-  if (!within(box.longest_side())) return numbers;
+  if (!(box.longest_side() * per_unit < 1 << kBits)) return numbers;
   const Point3& low = box.low;
   const auto units = [&](double difference) {
     return static_cast<std::uint64_t>(difference * per_unit);
@@ -106,15 +115,20 @@ LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, double 
 
 }  // namespace
 
-Facets::Facets(std::span<const Point3> sites, double unit)
+Facets::Facets(std::span<const Point3> sites, double unit) : Facets(sites, unit, box_of(sites)) {}
+
+Facets::Facets(std::span<const Point3> sites, double unit, const Box& box)
     : sites_(sites),
-      reach_(reach_of(sites)),
-      per_reach_(1 / reach_),
+      middle_{box.low.x + (box.high.x - box.low.x) / 2, box.low.y + (box.high.y - box.low.y) / 2,
+              box.low.z + (box.high.z - box.low.z) / 2},
+      radius_(radius_of(box)),
+      error_terms_{radius_ * radius_, 0x1p-39 * radius_, 0x1p-37 * radius_ * radius_},
       per_unit_(1 / unit),
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit),
-      lattice_(lattice_numbers(sites, reach_, per_unit_)),
-      facets_(kExpectedPerSite * sites.size() + kBlock) {}
+      lattice_(lattice_numbers(sites, box, per_unit_)),
+      facets_(kExpectedPerSite * sites.size() + kBlock),
+      marks_(facets_.capacity()) {}
 
 bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
   const std::lock_guard lock(growing_);
@@ -124,17 +138,23 @@ bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
   if (end > facets_.capacity()) {
     full_ = shared_;
     if (shared_) return false;
-    facets_.grow(size_, std::max(end, 3 * facets_.capacity() / 2));
+    grow(std::max(end, 3 * facets_.capacity() / 2));
   }
   size_ = end;
+  for (std::size_t f = begin; f < end; ++f) marks_[f] = Mark::kUnmet;
   for (std::size_t f = end; f-- > begin;) free.push_back(static_cast<FacetIndex>(f));
   return true;
 }
 
 void Facets::unshare() {
   shared_ = false;
-  if (full_) facets_.grow(size_, 3 * facets_.capacity() / 2);
+  if (full_) grow(3 * facets_.capacity() / 2);
   full_ = false;
+}
+
+void Facets::grow(std::size_t capacity) {
+  facets_.grow(size_, capacity);
+  marks_.grow(size_, capacity);
 }
 
 void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
@@ -153,31 +173,39 @@ void Facets::remember_sphere(const std::array<Site, 4>& simplex) {
   }
 }
 
-void Facets::set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c) {
-  if (!c) {
-    const Normal m = half_space(a->to, b->to);
-    const double scale = reach_ / (a->length * b->length);
-    set_hyperplane(f, scale * m.x, scale * m.y, scale * m.z,
-                   ErrorFactors::only_linear(ErrorFactors::kLinearRoundings));
-    return;
-  }
-  const Normal m = normal(a->to, b->to, c->to);
-  if (!(m.w < 0)) {
-    set_hyperplane(f, 0, 0, 0, {HUGE_VAL, HUGE_VAL});
-    return;
-  }
-  const double scale = -1 / m.w;
-  const double square = ErrorFactors::kRoundings * scale * (a->length * b->length * c->length);
-  const double extent = (a->length + b->length + c->length) * per_reach_;
-  set_hyperplane(f, scale * m.x, scale * m.y, scale * m.z, {square, square * extent});
+void Facets::set_hyperplane(FacetIndex f, const LiftedDifference& apex, const Spoke& a,
+                            const Spoke& b, const Spoke& c) {
+  const Normal m = normal(a, b, c);
+  const double size = std::sqrt(a.w * b.w * c.w);
+  double scale = infinite(f) ? kInfiniteNormal / size : -1 / m.w;
+  const double growth = ErrorTerms::kGrowth * (scale * size);
+  const bool useful = infinite(f) || (m.w < 0 && growth < 1);
+  if (!useful) scale = 0;
+  double nx = scale * m.x;
+  double ny = scale * m.y;
+  double nz = scale * m.z;
+  const double square = std::min(nx * nx + ny * ny + nz * nz, error_terms_.square);
+  nx += 2 * apex.x;
+  ny += 2 * apex.y;
+  nz += 2 * apex.z;
+  const double offset = apex.w - (nx * apex.x + ny * apex.y + nz * apex.z);
+  const double error = (useful ? growth * square : ErrorTerms::kUseless) +
+                       (error_terms_.linear * l1_norm({nx, ny, nz, 0}) + error_terms_.constant);
+  // The next power of two.
+  const std::uint64_t exponent = (std::bit_cast<std::uint64_t>(error) >> 52) + 1;
+  const std::uint64_t bits =
+      (std::bit_cast<std::uint64_t>(offset) & ~std::uint64_t{0xfff}) | exponent;
+  const std::array<double, 4> row{nx, ny, nz, std::bit_cast<double>(bits)};
+  set_hyperplane(f, row.data());
 }
 
 void Facets::set_hyperplane(FacetIndex f) {
-  std::array<Spoke, 4> spokes;
-  for (std::uint32_t i = 1; i < (infinite(f) ? 3u : 4u); ++i) {
-    spokes[i] = spoke(sites_[corners(f)[i]], sites_[corners(f)[0]]);
-  }
-  set_hyperplane(f, &spokes[1], &spokes[2], infinite(f) ? nullptr : &spokes[3]);
+  const auto& c = corners(f);
+  const auto spoke = [&](std::uint32_t i) {
+    return c[i] == kAtInfinity ? spoke_to_infinity()
+                               : lifted_difference(sites_[c[i]], sites_[c[0]]);
+  };
+  set_hyperplane(f, lifted(sites_[c[0]]), spoke(1), spoke(2), spoke(3));
 }
 
 /// Where the hyperplane's value does not decide.
@@ -215,13 +243,12 @@ bool Facets::finite_visible(FacetIndex f, Site q) const {
   const std::array<LiftedDifference, 4> d = {
       lifted_difference(sites_[c[1]], origin), lifted_difference(sites_[c[2]], origin),
       lifted_difference(sites_[c[3]], origin), lifted_difference(sites_[q], origin)};
-  const std::array<double, 4> size = {l1_norm(d[0]), l1_norm(d[1]), l1_norm(d[2]), l1_norm(d[3])};
-  const double error =
-      22 * kUnit * size[0] * size[1] * size[2] * ((size[0] + size[1] + size[2]) * size[3] + d[3].w);
-  if (error < exact_below_) {
-    const double height = value(normal(d[0], d[1], d[2]), d[3]);
-    return height != 0 ? height > 0 : tie_visible(f, q);
-  }
+  const double pi = std::sqrt(d[0].w * d[1].w * d[2].w);
+  const double sigma = std::sqrt(d[0].w) + std::sqrt(d[1].w) + std::sqrt(d[2].w);
+  const double error = 22 * kUnit * pi * (sigma * l1_norm(d[3]) + 1.16 * d[3].w);
+  const double height = value(normal(d[0], d[1], d[2]), d[3]);
+  if (std::fabs(height) > error) return height > 0;
+  if (error < exact_below_) return height != 0 ? height > 0 : tie_visible(f, q);
   const std::optional<Sign> side =
       judged_by([&](const auto&... points) { return insphere_in_units(points..., per_unit_); });
   if (!side) return judged_by(in_perturbed_sphere);

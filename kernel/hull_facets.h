@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/box.h"
 #include "kernel/large_array.h"
 #include "kernel/large_block.h"
 #include "kernel/point.h"
@@ -41,42 +42,13 @@ struct LiftedDifference {
 };
 
 /// From a cone's apex to one of its other corners.
-struct Spoke {
-  LiftedDifference to;
-  double length;
-};
+using Spoke = LiftedDifference;
 
-/// Bounds the errors of a facet's heights: two numbers, rounded up to the upper half of a float
-/// each.
-class ErrorFactors {
- public:
-  ErrorFactors() = default;
-  ErrorFactors(double square, double linear)
-      : bits_(rounded_up(square) | rounded_up(linear) >> 16) {}
-  /// Of heights that are linear: no square, which none else has.
-  static ErrorFactors only_linear(double linear) {
-    ErrorFactors result;
-    result.bits_ = rounded_up(linear) >> 16;
-    return result;
-  }
-  std::uint32_t bits() const { return bits_; }
-  /// Per square of the distance; zero for linear heights only.
-  double square() const { return static_cast<double>(std::bit_cast<float>(bits_ & 0xffff0000u)); }
-  /// Per distance, where lengths are in units of the size of the set.
-  double linear() const { return static_cast<double>(std::bit_cast<float>(bits_ << 16)); }
-  bool is_linear() const { return bits_ <= 0xffffu; }
-
-  // See hull_facets.cpp.
-  static constexpr double kRoundings = 24 * 0x1p-53;
-  static constexpr double kLinearRoundings = 12 * 0x1p-53;
-
- private:
-  /// Always more than the value; what is too large for a float becomes infinite or no number.
-  static std::uint32_t rounded_up(double value) {
-    return (std::bit_cast<std::uint32_t>(static_cast<float>(value)) + 0x10000u) & 0xffff0000u;
-  }
-  std::uint32_t bits_;
-};
+/// What the insertion under way knows of a facet: bits, in a type that aliases no other.
+enum class Mark : std::uint8_t { kUnmet = 0, kMet = 1, kVisible = 3 };
+constexpr Mark operator|(Mark a, Mark b) {
+  return static_cast<Mark>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
 
 /// A facet without its geometry.
 struct FacetLinks {
@@ -87,18 +59,19 @@ struct FacetLinks {
   bool lives() const { return corners[0] != kNone; }
 };
 
-/// A facet with its lifted hyperplane through the first corner p, as the sphere around the corners:
-/// the height of q = p + d above it is
-///     nx dx + ny dy + nz dz - |d|^2,
-/// the negative power of q (an infinite facet, which is a half-space: without |d|^2), positive if
-/// the facet is visible from q. It is off by at most
-///     square |d|^2 + linear (|dx| + |dy| + |dz|),   the latter in units of the size of the set.
-/// All an insertion reads or writes of a facet is this: one cache line.
+/// A facet with its lifted hyperplane: the height above it of q, as lifted from the middle of the
+/// set, is
+///     nx x + ny y + nz z + offset - w,
+/// the negative power of q, positive if the facet is visible from q. An infinite facet is taken for
+/// a sphere so large that w does not matter. All an insertion reads or writes of a facet but its
+/// mark is this: one cache line.
 struct alignas(64) Facet {
   double nx, ny, nz;
-  ErrorFactors error;
-  std::uint32_t mark;  ///< scratch for the search that visits the facet
+  double offset;  ///< its last twelve bits are the exponent of error()
   FacetLinks links;
+
+  /// No height of any site is wrong by more: a power of two.
+  double error() const { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(offset) << 52); }
 };
 static_assert(sizeof(Facet) == 64);
 
@@ -138,44 +111,51 @@ class Facets {
   const std::array<Site, 4>& corners(FacetIndex f) const { return facets_[f].links.corners; }
   std::array<Ridge, 4>& neighbors(FacetIndex f) { return facets_[f].links.neighbors; }
   const std::array<Ridge, 4>& neighbors(FacetIndex f) const { return facets_[f].links.neighbors; }
-  std::uint32_t& mark(FacetIndex f) { return facets_[f].mark; }
+  /// Asks for what an insertion will read and write.
+  void prefetch(FacetIndex f) const { __builtin_prefetch(&facets_[f], 1); }
+  /// None between insertions.
+  Mark& mark(FacetIndex f) { return marks_[f]; }
 
   const Point3& point(Site s) const { return sites_[s]; }
   bool lives(FacetIndex f) const { return facets_[f].links.lives(); }
   void set_dead(FacetIndex f) { corners(f)[0] = kNone; }
   bool infinite(FacetIndex f) const { return facets_[f].links.infinite(); }
 
-  /// Sets the hyperplane through the facet's first corner and three others, in their order; a null
-  /// pointer, for the last only, stands for the site at infinity. This and the following remove the
-  /// facet's mark.
-  void set_hyperplane(FacetIndex f, const Spoke* a, const Spoke* b, const Spoke* c);
+  /// A site's difference from the middle of the set.
+  LiftedDifference lifted(const Point3& q) const;
+  /// Sets the hyperplane through the facet's first corner, lifted, and three others, in their
+  /// order, as seen from there.
+  void set_hyperplane(FacetIndex f, const LiftedDifference& apex, const Spoke& a, const Spoke& b,
+                      const Spoke& c);
   /// Computes the differences, too.
   void set_hyperplane(FacetIndex f);
-  void set_hyperplane(FacetIndex f, double nx, double ny, double nz, ErrorFactors error) {
-    Facet& n = facets_[f];
-    n.nx = nx;
-    n.ny = ny;
-    n.nz = nz;
-    n.error = error;
-    n.mark = 0;
-  }
-  /// From what a Facet begins with, as far as its mark, which must be 0: four doubles.
+  /// From what a Facet begins with: four doubles.
   void set_hyperplane(FacetIndex f, const void* row) {
     static_assert(offsetof(Facet, links) == 4 * sizeof(double));
     std::memcpy(static_cast<void*>(&facets_[f]), row, offsetof(Facet, links));
   }
-  /// As large as the set, a power of two; and its inverse.
-  double reach() const { return reach_; }
-  double per_reach() const { return per_reach_; }
+  /// From anywhere to the site at infinity.
+  Spoke spoke_to_infinity() const { return {0, 0, 0, radius_ * radius_}; }
+  /// So many times the radius is about the length of an infinite facet's normal.
+  static constexpr double kInfiniteNormal = 0x1p60;
+  /// What a height's error is made of, see hull_facets.cpp.
+  struct ErrorTerms {
+    double square;    ///< at most this, instead of nx^2 + ny^2 + nz^2
+    double linear;    ///< times |nx| + |ny| + |nz|
+    double constant;  ///< a term of its own
+    static constexpr double kGrowth = 500 * 0x1p-53;  ///< times |A| |B| |C| / -Nw
+    static constexpr double kUseless = 0x1p500;       ///< more than any height
+  };
+  const ErrorTerms& error_terms() const { return error_terms_; }
 
   /// The hyperplane's value at q, and by how much it may be wrong.
   struct Height {
     double value;
     double error;
   };
-  Height height(FacetIndex f, const Point3& q) const;
+  Height height(FacetIndex f, const LiftedDifference& q) const;
   /// Whether q is on the visible side of f: exact, ties by kernel/perturbation.
-  bool visible(FacetIndex f, Site q) const { return visible(f, q, height(f, sites_[q])); }
+  bool visible(FacetIndex f, Site q) const { return visible(f, q, height(f, lifted(sites_[q]))); }
   bool visible(FacetIndex f, Site q, Height h) const {
     return h.value > h.error || (!(h.value < -h.error) && decide(f, q));
   }
@@ -183,6 +163,8 @@ class Facets {
   bool decide(FacetIndex f, Site q) const;
 
  private:
+  Facets(std::span<const Point3> sites, double unit, const Box& box);
+  void grow(std::size_t capacity);
   bool finite_visible(FacetIndex f, Site q) const;
   bool coplanar_visible(FacetIndex f, Site q) const;
   bool tie_visible(FacetIndex f, Site q) const;
@@ -191,8 +173,9 @@ class Facets {
   bool shared_ = false;
   bool full_ = false;  ///< some thread was told that there is no room
   std::mutex growing_;
-  double reach_;                 ///< as large as the set, a power of two
-  double per_reach_;             ///< 1 / reach_
+  Point3 middle_;
+  double radius_;  ///< no site is farther from the middle
+  ErrorTerms error_terms_;
   double per_unit_;              ///< 1 / unit
   double exact_below_;           ///< bound on an error of a finite facet below which there is none
   double exact_below_infinite_;  ///< the same for an infinite facet
@@ -202,12 +185,8 @@ class Facets {
   LargeArray<std::uint64_t> lattice_;
   std::size_t size_ = 0;
   LargeBlock<Facet> facets_;
+  LargeBlock<Mark> marks_;
 };
-
-/// |x| + |y| + |z|.
-inline double l1_norm(const LiftedDifference& d) {
-  return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
-}
 
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
   const double x = q.x - p.x;
@@ -216,17 +195,13 @@ inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {
   return {x, y, z, x * x + y * y + z * z};
 }
 
-inline Spoke spoke(const Point3& q, const Point3& p) {
-  const LiftedDifference d = lifted_difference(q, p);
-  return {d, std::sqrt(d.w)};
+inline LiftedDifference Facets::lifted(const Point3& q) const {
+  return lifted_difference(q, middle_);
 }
 
-inline Facets::Height Facets::height(FacetIndex f, const Point3& q) const {
+inline Facets::Height Facets::height(FacetIndex f, const LiftedDifference& q) const {
   const Facet& n = facets_[f];
-  const LiftedDifference d = lifted_difference(q, sites_[n.links.corners[0]]);
-  const double w = n.error.is_linear() ? 0 : d.w;
-  return {n.nx * d.x + n.ny * d.y + n.nz * d.z - w,
-          n.error.square() * w + n.error.linear() * (l1_norm(d) * reach_)};
+  return {n.nx * q.x + n.ny * q.y + n.nz * q.z + (n.offset - q.w), n.error()};
 }
 
 }  // namespace tetsculpt::hull

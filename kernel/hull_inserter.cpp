@@ -17,6 +17,12 @@ namespace {
 constexpr std::size_t kSmallCone = 32;
 constexpr std::size_t kLargeCone = 256;
 
+/// The same, but the compiler can't know what it is: it would branch on where the number is from.
+inline std::uint32_t opaque(std::uint32_t number) {
+  asm("" : "+r"(number));
+  return number;
+}
+
 /// The next multiple of four.
 constexpr std::size_t in_fours(std::size_t n) { return (n + 3) & ~std::size_t{3}; }
 
@@ -39,7 +45,6 @@ void Inserter::mark_free() {
 Inserter Inserter::helper(SiteRange own) {
   Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_, known_);
   helper.own_ = own;
-  helper.stamp_ = stamp_;
   helper.last_ = kNone;
   helper.first_number_ = 1;
   return helper;
@@ -54,7 +59,6 @@ void Inserter::look_around() {
 
 void Inserter::take_over(const Inserter& helper) {
   free_.insert(free_.end(), helper.free_.begin(), helper.free_.end());
-  stamp_ = std::max(stamp_, helper.stamp_);
   if (helper.last_ != kNone) last_ = helper.last_;
 }
 
@@ -97,8 +101,10 @@ bool Inserter::insert_farthest(FacetIndex seen) {
   const Slot slot = pick_apex(seen);
   const Site apex = batch_[slot];
   if (!find_horizon(apex, seen)) return false;
-  if (free_.size() < cut_.size() && !facets_.append(cut_.size() - free_.size(), free_))
+  if (free_.size() < cut_.size() && !facets_.append(cut_.size() - free_.size(), free_)) {
+    forget(visible_.size());
     return false;
+  }
   collect_orphans(slot);
   make_cone(apex);
   reassign_conflicts();
@@ -118,37 +124,45 @@ Inserter::Slot Inserter::pick_apex(FacetIndex f) const {
 /// that were not met before, and which of them are visible. No branch depends on either. What the
 /// region is cut off by is the horizon. False if the region leaves the range.
 bool Inserter::find_horizon(Site apex, FacetIndex seen) {
-  stamp_ += 2;
+  const LiftedDifference lifted_apex = facets_.lifted(points_[apex]);
   visible_.room_for(1)[0] = seen;
   visible_.hold(1);
-  facets_.mark(seen) = is_visible();
   for (std::size_t begin = 0; begin < visible_.size();) {
     const std::span<const FacetIndex> wave = visible_.held().subspan(begin);
     if (!own_.all() && !std::ranges::all_of(wave, [&](FacetIndex f) { return own(f); })) {
+      forget(begin);
       return false;
     }
     begin = visible_.size();
     meet_neighbors(wave);
-    sort_met(apex);
+    sort_met(apex, lifted_apex);
   }
   cut_out();
   return true;
 }
 
-/// Lists the neighbours that were not met before, and the first visible facet again until they are
-/// a multiple of four. They count as hidden for now.
+/// Takes away the marks of what the first visible facets met.
+void Inserter::forget(std::size_t visible_count) {
+  facets_.mark(visible_[0]) = Mark::kUnmet;
+  for (const FacetIndex f : visible_.held().first(visible_count)) {
+    for (const Ridge r : facets_.neighbors(f)) facets_.mark(facet_of(r)) = Mark::kUnmet;
+  }
+}
+
+/// Lists the neighbours that were not met before. They count as hidden for now.
 inline void Inserter::meet_neighbors(std::span<const FacetIndex> wave) {
   FacetIndex* const met = met_.room_for(4 * wave.size() + 4);
-  const std::uint32_t hidden = is_hidden();
   std::size_t size = 0;
   for (const FacetIndex f : wave) {
+    facets_.mark(f) = Mark::kVisible;
     const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
     for (std::uint32_t i = 0; i < 4; ++i) {
       const FacetIndex g = facet_of(neighbors[i]);
-      const std::uint32_t before = facets_.mark(g);
-      facets_.mark(g) = std::max(before, hidden);
+      facets_.prefetch(g);
+      const Mark before = facets_.mark(g);
+      facets_.mark(g) = before | Mark::kMet;
       met[size] = g;
-      size += before < hidden;
+      size += before == Mark::kUnmet;
     }
   }
   met_.hold(size);
@@ -156,68 +170,39 @@ inline void Inserter::meet_neighbors(std::span<const FacetIndex> wave) {
 }
 
 /// Adds those of the met facets that the apex sees to the visible ones.
-inline void Inserter::sort_met(Site apex) {
-  const std::size_t size = met_.size();
-  const std::span<const FacetIndex> met{met_.begin(), in_fours(size)};
-  // Neighbours of those that turn out visible are met next, wherever in memory they are.
-  for (const FacetIndex f : met) {
-    for (const Ridge r : facets_.neighbors(f)) __builtin_prefetch(&facets_[facet_of(r)], 1);
+inline void Inserter::sort_met(Site apex, const LiftedDifference& lifted_apex) {
+  const std::size_t size = visible_.size();
+  FacetIndex* const visible = visible_.room_for(size + met_.size() + 4) + size;
+  FacetIndex* const unclear = unclear_.room_for(met_.size() + 4);
+  const auto sort = by_four_ ? sort_by_view_by_four : sort_by_view;
+  Counts counts = sort(facets_, met_.held(), lifted_apex, visible, unclear);
+  for (std::size_t k = 0; k < counts.unclear; ++k) {
+    if (facets_.decide(unclear[k], apex)) visible[counts.visible++] = unclear[k];
   }
-  Seen* const sees = sees_.room_for(met.size() / 4);
-  if (by_four_) {
-    see_by_four(facets_, met, points_[apex], sees);
-  } else {
-    see(facets_, met, points_[apex], sees);
-  }
-  std::size_t visible_size = visible_.size();
-  FacetIndex* const visible = visible_.room_for(visible_size + met.size());
-  const std::uint32_t hidden = is_hidden();
-  for (std::size_t k = 0; k < met.size(); k += 4) {
-    if (sees[k / 4].unclear != 0) [[unlikely]]
-      decide(apex, &met[k], sees[k / 4]);
-    const std::uint32_t bits = sees[k / 4].visible;
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const FacetIndex g = met[k + i];
-      const std::uint32_t sees_it = bits >> i & 1;
-      facets_.mark(g) = hidden + sees_it;
-      visible[visible_size] = g;
-      visible_size += sees_it;
-    }
-  }
-  // The first one was listed again at the end, as visible as before.
-  visible_.hold(visible_size - (met.size() - size));
-}
-
-/// Settles which of four facets the apex sees where that is not clear.
-void Inserter::decide(Site apex, const FacetIndex* four, Seen& sees) const {
-  for (unsigned i = 0; i < 4; ++i) {
-    if ((sees.unclear >> i & 1) == 0) continue;
-    if (four[i] == visible_[0] || facets_.decide(four[i], apex))
-      sees.visible = static_cast<std::uint8_t>(sees.visible | 1u << i);
-  }
+  visible_.hold(size + counts.visible);
 }
 
 /// The horizon: the ridges between a visible facet and a hidden one.
 inline void Inserter::cut_out() {
   Ridge* const cut = cut_.room_for(4 * visible_.size() + 1);
-  const std::uint32_t hidden = is_hidden();
   std::size_t size = 0;
   for (const FacetIndex f : visible_) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       cut[size] = ridge(f, i);
-      size += facets_.mark(facet_of(facets_.neighbors(f)[i])) == hidden;
+      size += facets_.mark(facet_of(facets_.neighbors(f)[i])) == Mark::kMet;
     }
   }
   cut_.hold(size);
 }
 
+/// Lists the points whose facets the apex sees.
 void Inserter::collect_orphans(Slot apex) {
   Slot* const orphans = orphans_.room_for(batch_.size());
   std::size_t size = 0;
   conflicts_[apex].facet = kNone;
   for (Slot k = 0; k < batch_.size(); ++k) {
     const FacetIndex f = conflicts_[k].facet;
-    if (f != kNone && facets_.mark(f) == is_visible()) orphans[size++] = k;
+    if (f != kNone && facets_.mark(f) == Mark::kVisible) orphans[size++] = k;
   }
   orphans_.hold(size);
 }
@@ -239,8 +224,8 @@ void Inserter::make_cone(Site apex) {
     put_up_cone<0>(apex);
     link_large_cone();
   }
-  first_number_ += corner_count;
   set_geometry(apex, corner_count);
+  first_number_ += corner_count;
   if (!own_.all()) {
     for (const FacetIndex f : visible_) facets_.set_dead(f);
   }
@@ -251,6 +236,7 @@ void Inserter::make_cone(Site apex) {
     __builtin_prefetch(&facets_[free_[free_.size() - 1 - k]], 1);
   }
   free_.insert(free_.end(), visible_.begin(), visible_.end());
+  for (const FacetIndex f : visible_) facets_.mark(f) = Mark::kUnmet;
   last_ = cone_[0].facet;
   if (facets_.on_sphere(apex)) {
     const auto infinite = [&](const ConeFacet& c) { return facets_.infinite(c.facet); };
@@ -261,28 +247,29 @@ void Inserter::make_cone(Site apex) {
   if (!known_.empty()) known_[apex] = last_;
 }
 
-/// The cone's facets, linked to those outside; notes what is to be linked among them, see
-/// link_cone.
+/// The cone's facets, linked to those outside; numbers its corners and notes what is to be linked
+/// among its facets, see link_cone.
 template <std::size_t kStride>
 void Inserter::put_up_cone(Site apex) {
   // The apex takes the place of the corner opposite; a double exchange, which keeps the
   // orientation, puts it first. What was last stays last if it is there: it may be at infinity.
   static constexpr std::uint8_t kOthers[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
-  ConeFacet* const cone = cone_.room_for(cut_.size());
+  ConeFacet* const cone = cone_.room_for(cut_.size() + 3);
   const FacetIndex* const free = free_.data() + (free_.size() - cut_.size());
   Site* const ends = spoke_ends_.room_for(cut_.size() / 2 + 6);
-  std::uint32_t* const number_of = number_of_.data();
+  std::uint32_t* const number_of = number_of_.data() + 1;
   Ridge* const half_ridge = half_ridge_.data();
   const std::uint32_t first = first_number_;
   std::uint32_t count = 0;
-  // The number of a corner of the horizon, a new one if it has none: no branch depends on that.
+  // A new one if it has none: no branch depends on that.
   const auto number = [&](Site s) {
-    std::uint32_t& known = number_of[Site{s + 1}];
-    const bool is_new = known < first;
-    known = is_new ? first + count : known;
-    ends[count] = s;
-    count += is_new;
-    return known - first;
+    std::uint32_t& known = number_of[static_cast<std::int32_t>(s)];
+    const std::uint32_t before = known - first;  // of earlier horizons: more than count
+    const std::uint32_t n = opaque(std::min(before, count));
+    known = first + n;
+    ends[n] = s;
+    count += before >= count;
+    return n;
   };
   for (std::size_t k = 0; k < cut_.size(); ++k) {
     const Ridge inner = cut_[k];
@@ -296,6 +283,7 @@ void Inserter::put_up_cone(Site apex) {
     facets_.corners(f) = {apex, a, b, c};
     facets_.neighbors(f)[0] = outer;
     facets_.neighbors(facet_of(outer))[corner_of(outer)] = ridge(f, 0);
+    facets_.mark(facet_of(outer)) = Mark::kUnmet;
     const std::uint32_t i = number(a);
     const std::uint32_t j = number(b);
     const std::uint32_t l = number(c);
@@ -307,8 +295,8 @@ void Inserter::put_up_cone(Site apex) {
     }
   }
   assert(count == cut_.size() / 2 + 2);
-  if (number_of[0] >= first) ends[number_of[0] - first] = apex;
   cone_.hold(cut_.size());
+  for (std::size_t k = 0; k < 3; ++k) cone[cut_.size() + k] = cone[k];
 }
 
 /// The hyperplanes of the cone, which has so many corners besides the apex.
@@ -316,14 +304,14 @@ void Inserter::set_geometry(Site apex, std::size_t corner_count) {
   const std::size_t padded = in_fours(corner_count);
   Site* const ends = spoke_ends_.room_for(padded);
   for (std::size_t k = corner_count; k < padded; ++k) ends[k] = apex;
+  const std::uint32_t infinity = number_of_[0] - first_number_;  // large if it is no corner
+  if (infinity < corner_count) ends[infinity] = apex;
   Spoke* const spokes = spokes_.room_for(padded);
-  if (by_four_) {
-    set_spokes_by_four(points_, apex, {ends, padded}, spokes);
-    set_hyperplanes_by_four(facets_, cone_.held(), {spokes, corner_count});
-  } else {
-    set_spokes(points_, apex, {ends, padded}, spokes);
-    set_hyperplanes(facets_, cone_.held(), {spokes, corner_count});
-  }
+  const auto to_spokes = by_four_ ? set_spokes_by_four : set_spokes;
+  to_spokes(points_, apex, {ends, padded}, spokes);
+  if (infinity < corner_count) spokes[infinity] = facets_.spoke_to_infinity();
+  const auto to_hyperplanes = by_four_ ? set_hyperplanes_by_four : set_hyperplanes;
+  to_hyperplanes(facets_, apex, cone_.held(), {spokes, corner_count});
 }
 
 /// Each directed edge of the horizon belongs to one ridge, its reverse to the neighbour: a table by
@@ -370,7 +358,7 @@ void Inserter::link_large_cone() {
 void Inserter::reassign_conflicts() {
   for (const Slot k : orphans_) {
     const Site q = batch_[k];
-    const Point3 point = points_[q];
+    const LiftedDifference point = facets_.lifted(points_[q]);
     const auto clearly_seen = [&](const ConeFacet& c) {
       const Facets::Height h = facets_.height(c.facet, point);
       return h.value > h.error;
@@ -386,7 +374,7 @@ void Inserter::reassign_conflicts() {
 }
 
 void Inserter::add_conflict(Slot k, FacetIndex f) {
-  conflicts_[k] = {f, facets_.height(f, points_[batch_[k]]).value};
+  conflicts_[k] = {f, facets_.height(f, facets_.lifted(points_[batch_[k]])).value};
 }
 
 /// A facet that q sees, or kNone if none was found within the range: on the way from where the last
@@ -416,7 +404,7 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
     f = facet_of(facets_.neighbors(f)[3]);
     if (!own(f)) return kNone;
   }
-  const Point3 point = points_[q];
+  const LiftedDifference point = facets_.lifted(points_[q]);
   Facets::Height h = facets_.height(f, point);
   if (h.value > h.error) return f;
   double height = h.value;  // the negative power
@@ -449,7 +437,7 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
 /// the range. Where all points are on a sphere that is nearer than inside, where all powers are
 /// zero.
 FacetIndex Inserter::walk_on_hull(Site q, FacetIndex f) const {
-  const Point3 point = points_[q];
+  const LiftedDifference point = facets_.lifted(points_[q]);
   const auto distance = [&](FacetIndex g) {
     const Facet& n = facets_[g];
     return facets_.height(g, point).value / std::sqrt(n.nx * n.nx + n.ny * n.ny + n.nz * n.nz);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include "kernel/hull_facets.h"
 #include "kernel/hull_lanes.h"
 #include "kernel/large_array.h"
+#include "kernel/large_block.h"
 #include "kernel/point.h"
 
 /// Quickhull on one batch of points at a time. Internal to kernel/lifted_hull.
@@ -30,20 +32,20 @@ class Stack {
  public:
   /// Room for n in all.
   T* room_for(std::size_t n) {
-    if (room_.size() < n) room_.resize(n);
-    return room_.data();
+    if (n > room_.capacity()) room_.grow(room_.capacity(), std::max(n, 2 * room_.capacity()));
+    return &room_[0];
   }
   /// The first n in the room are held.
   void hold(std::size_t n) { size_ = n; }
   std::size_t size() const { return size_; }
   T& operator[](std::size_t k) { return room_[k]; }
   const T& operator[](std::size_t k) const { return room_[k]; }
-  const T* begin() const { return room_.data(); }
-  const T* end() const { return room_.data() + size_; }
+  const T* begin() const { return &room_[0]; }
+  const T* end() const { return begin() + size_; }
   std::span<const T> held() const { return {begin(), size_}; }
 
  private:
-  std::vector<T> room_;
+  LargeBlock<T> room_;
   std::size_t size_ = 0;
 };
 
@@ -91,16 +93,13 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
 
   bool own(FacetIndex f) const;
   bool at_site(FacetIndex f, Site s) const;
-  /// The marks of what the insertion under way has met.
-  std::uint32_t is_hidden() const { return stamp_; }
-  std::uint32_t is_visible() const { return stamp_ + 1; }
   bool insert_farthest(FacetIndex seen);
   // The four steps of Quickhull.
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
+  void forget(std::size_t visible_count);
   void meet_neighbors(std::span<const FacetIndex> wave);
-  void sort_met(Site apex);
-  void decide(Site apex, const FacetIndex* four, Seen& sees) const;
+  void sort_met(Site apex, const LiftedDifference& lifted_apex);
   void cut_out();
   void make_cone(Site apex);
   void set_geometry(Site apex, std::size_t corner_count);
@@ -123,7 +122,6 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   bool by_four_;  ///< see kernel/hull_lanes
   SiteRange own_;
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
-  std::uint32_t stamp_ = 0;
   std::vector<FacetIndex> free_;  ///< facets that died or were never used; the last are next
   /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
   /// are no helpers.
@@ -133,9 +131,9 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   std::array<Conflict, kBatch> conflicts_{};
   // Of the insertion under way:
   Stack<FacetIndex> visible_;
-  Stack<FacetIndex> met_;  ///< by the wave under way, for the first time
-  Stack<Seen> sees_;       ///< per four of them
-  Stack<Ridge> cut_;       ///< between a visible facet and one that is not, seen from the former
+  Stack<FacetIndex> met_;      ///< by the wave under way, for the first time
+  Stack<FacetIndex> unclear_;  ///< of them
+  Stack<Ridge> cut_;  ///< between a visible facet and one that is not, seen from the former
   Stack<Slot> orphans_;
   Stack<ConeFacet> cone_;   ///< per horizon ridge
   Stack<Spoke> spokes_;     ///< per number, from the apex to the corner

@@ -3,6 +3,8 @@
 #include "kernel/hull_lanes.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +13,7 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
-#define TETSCULPT_FOUR_LANES [[gnu::target("avx2")]]
+#define TETSCULPT_FOUR_LANES [[gnu::target("avx2,popcnt")]]
 #else
 #define TETSCULPT_FOUR_LANES
 #endif
@@ -22,25 +24,32 @@ namespace {
 using Four = double __attribute__((vector_size(32)));
 using Two = double __attribute__((vector_size(16)));
 using FourLongs = std::int64_t __attribute__((vector_size(32)));
-using FourFloats = float __attribute__((vector_size(16)));
-using FourWords = std::uint32_t __attribute__((vector_size(16)));
+using FourBits = std::uint64_t __attribute__((vector_size(32)));
+
+/// Per set of lanes, a bit each: their numbers, ahead of the others'.
+constexpr auto kFirst = [] {
+  std::array<std::array<std::uint32_t, 4>, 16> table{};
+  for (unsigned lanes = 0; lanes < 16; ++lanes) {
+    std::size_t size = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      if ((lanes >> i & 1) != 0) table[lanes][size++] = i;
+    }
+  }
+  return table;
+}();
 
 /// Spokes, a component in each vector.
 struct FourSpokes {
-  Four x, y, z, w, length;
+  Four x, y, z, w;
 };
 
-TETSCULPT_FOUR_LANES inline Four row(const LiftedDifference& d) {
-  Four result;
-  std::memcpy(&result, &d, sizeof result);
-  return result;
-}
-
-/// What an object begins with.
-template <class T>
-TETSCULPT_FOUR_LANES inline Two first_two(const T& object) {
+/// Two doubles of an object, from the one at that place on.
+template <std::size_t kPlace, class T>
+TETSCULPT_FOUR_LANES inline Two two_of(const T& object) {
+  static_assert(sizeof(T) >= (kPlace + 2) * sizeof(double));
   Two result;
-  std::memcpy(&result, &object, sizeof result);
+  std::memcpy(&result, reinterpret_cast<const std::byte*>(&object) + kPlace * sizeof(double),
+              sizeof result);
   return result;
 }
 
@@ -56,24 +65,30 @@ TETSCULPT_FOUR_LANES inline void transpose(Four& a, Four& b, Four& c, Four& d) {
   d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
-TETSCULPT_FOUR_LANES inline void load(const Spoke& a, const Spoke& b, const Spoke& c,
-                                      const Spoke& d, FourSpokes& to) {
-  to.x = row(a.to);
-  to.y = row(b.to);
-  to.z = row(c.to);
-  to.w = row(d.to);
-  transpose(to.x, to.y, to.z, to.w);
-  to.length = Four{a.length, b.length, c.length, d.length};
+TETSCULPT_FOUR_LANES inline Four joined(const Two& low, const Two& high) {
+#if defined(__x86_64__)
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
+#else
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+#endif
 }
 
-/// The first two components of four objects.
-template <class T>
+/// Two components of four objects.
+template <std::size_t kPlace, class T>
 TETSCULPT_FOUR_LANES inline void load_two(const T& a, const T& b, const T& c, const T& d,
                                           Four& first, Four& second) {
-  const Four ac = __builtin_shufflevector(first_two(a), first_two(c), 0, 1, 2, 3);
-  const Four bd = __builtin_shufflevector(first_two(b), first_two(d), 0, 1, 2, 3);
+  const Four ac = joined(two_of<kPlace>(a), two_of<kPlace>(c));
+  const Four bd = joined(two_of<kPlace>(b), two_of<kPlace>(d));
   first = __builtin_shufflevector(ac, bd, 0, 4, 2, 6);
   second = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
+}
+
+/// The first four components.
+template <class T>
+TETSCULPT_FOUR_LANES inline void load(const T& a, const T& b, const T& c, const T& d, Four& x,
+                                      Four& y, Four& z, Four& w) {
+  load_two<0>(a, b, c, d, x, y);
+  load_two<2>(a, b, c, d, z, w);
 }
 
 TETSCULPT_FOUR_LANES inline Four magnitude(const Four& a) {
@@ -89,51 +104,73 @@ TETSCULPT_FOUR_LANES inline Four root(const Four& a) {
 #endif
 }
 
-/// A bit per lane that holds.
-TETSCULPT_FOUR_LANES inline std::uint8_t pattern(const FourLongs& lanes) {
+/// A bit per lane that is negative.
+TETSCULPT_FOUR_LANES inline unsigned negative(const Four& lanes) {
 #if defined(__x86_64__)
-  return static_cast<std::uint8_t>(_mm256_movemask_pd(reinterpret_cast<Four>(lanes)));
+  return static_cast<unsigned>(_mm256_movemask_pd(lanes));
 #else
-  return static_cast<std::uint8_t>((lanes[0] & 1) | (lanes[1] & 2) | (lanes[2] & 4) |
-                                   (lanes[3] & 8));
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 4; ++i) bits |= unsigned{std::signbit(lanes[i])} << i;
+  return bits;
 #endif
+}
+
+/// A bit per lane that holds: of a comparison.
+template <class Comparison>
+TETSCULPT_FOUR_LANES inline unsigned pattern(const Comparison& lanes) {
+  return negative(reinterpret_cast<Four>(lanes));
+}
+
+/// A point, lifted from the middle of the set, in every lane.
+struct FourQueries {
+  Four x, y, z, w;
+  TETSCULPT_FOUR_LANES explicit FourQueries(const LiftedDifference& q)
+      : x(q.x - Four{}), y(q.y - Four{}), z(q.z - Four{}), w(q.w - Four{}) {}
+};
+
+/// Those of four indices that are in a set of lanes, to the end of a list.
+TETSCULPT_FOUR_LANES inline void append(const FacetIndex* four, unsigned lanes, FacetIndex* list,
+                                        std::size_t& size) {
+#if defined(__x86_64__)
+  __m128 indices;
+  __m128i order;
+  std::memcpy(&indices, four, sizeof indices);
+  std::memcpy(&order, &kFirst[lanes], sizeof order);
+  indices = _mm_permutevar_ps(indices, order);
+  std::memcpy(list + size, &indices, sizeof indices);
+#else
+  for (std::size_t i = 0; i < 4; ++i) list[size + i] = four[kFirst[lanes][i]];
+#endif
+  size += static_cast<std::size_t>(std::popcount(lanes));
 }
 
 /// Facets::height, of four facets.
 TETSCULPT_FOUR_LANES inline void four_heights(const Facets& facets, FacetIndex a, FacetIndex b,
-                                              FacetIndex c, FacetIndex d, const Point3& q,
+                                              FacetIndex c, FacetIndex d, const FourQueries& q,
                                               Four& value, Four& error) {
-  const Facet& f0 = facets[a];
-  const Facet& f1 = facets[b];
-  const Facet& f2 = facets[c];
-  const Facet& f3 = facets[d];
-  const Point3& p0 = facets.point(f0.links.corners[0]);
-  const Point3& p1 = facets.point(f1.links.corners[0]);
-  const Point3& p2 = facets.point(f2.links.corners[0]);
-  const Point3& p3 = facets.point(f3.links.corners[0]);
-  const FourWords bits{f0.error.bits(), f1.error.bits(), f2.error.bits(), f3.error.bits()};
-  const Four square =
-      __builtin_convertvector(reinterpret_cast<FourFloats>(bits & 0xffff0000u), Four);
-  const Four linear = __builtin_convertvector(reinterpret_cast<FourFloats>(bits << 16), Four);
-  Four x;
-  Four y;
-  load_two(p0, p1, p2, p3, x, y);
-  x = q.x - x;
-  y = q.y - y;
-  const Four z = q.z - Four{p0.z, p1.z, p2.z, p3.z};
-  const Four w = square == 0 ? Four{} : x * x + y * y + z * z;
   Four nx;
   Four ny;
-  load_two(f0, f1, f2, f3, nx, ny);
-  value = nx * x + ny * y + Four{f0.nz, f1.nz, f2.nz, f3.nz} * z - w;
-  const Four l1_norm = magnitude(x) + magnitude(y) + magnitude(z);
-  error = square * w + linear * (l1_norm * facets.reach());
+  Four nz;
+  Four offset;
+  load(facets[a], facets[b], facets[c], facets[d], nx, ny, nz, offset);
+  value = nx * q.x + ny * q.y + nz * q.z + (offset - q.w);
+  error = reinterpret_cast<Four>(reinterpret_cast<FourBits>(offset) << 52);
 }
 
-/// Facets::set_hyperplane for facets of which none is infinite.
+/// From the apex to one of the corners of four facets.
+template <std::size_t kCorner>
+TETSCULPT_FOUR_LANES inline FourSpokes spokes_to_corner(const ConeFacet* four,
+                                                        std::span<const Spoke> spokes) {
+  FourSpokes to;
+  load(spokes[four[0].numbers[kCorner]], spokes[four[1].numbers[kCorner]],
+       spokes[four[2].numbers[kCorner]], spokes[four[3].numbers[kCorner]], to.x, to.y, to.z, to.w);
+  return to;
+}
+
+/// Facets::set_hyperplane, of four facets.
 TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<FacetIndex, 4>& f,
-                                          const FourSpokes& a, const FourSpokes& b,
-                                          const FourSpokes& c) {
+                                          const LiftedDifference& apex, const FourSpokes& a,
+                                          const FourSpokes& b, const FourSpokes& c) {
   const Four xy = a.x * b.y - a.y * b.x;
   const Four yz = a.y * b.z - a.z * b.y;
   const Four zx = a.z * b.x - a.x * b.z;
@@ -141,66 +178,86 @@ TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<Facet
   const Four yw = a.y * b.w - a.w * b.y;
   const Four zw = a.z * b.w - a.w * b.z;
   const Four w = xy * c.z + yz * c.x + zx * c.y;
-  const auto good = w < 0;
-  const Four scale = good ? -1 / w : Four{};
+  const Four size = root(a.w * b.w * c.w);
+  const auto infinite = (c.x == 0) & (c.y == 0) & (c.z == 0);
+  Four scale = -1 / w;
+  if (pattern(infinite) != 0) scale = infinite ? Facets::kInfiniteNormal / size : scale;
+  const Facets::ErrorTerms& terms = facets.error_terms();
+  const Four growth = Facets::ErrorTerms::kGrowth * (scale * size);
+  const auto useful = infinite | ((w < 0) & (growth < 1));
+  scale = useful ? scale : Four{};
   Four nx = scale * -(yz * c.w - yw * c.z + zw * c.y);
   Four ny = scale * -(zx * c.w - zw * c.x + xw * c.z);
   Four nz = scale * -(xy * c.w - xw * c.y + yw * c.x);
-  const Four infinite = HUGE_VAL - Four{};
-  const Four square =
-      good ? ErrorFactors::kRoundings * scale * (a.length * b.length * c.length) : infinite;
-  const Four linear = square * ((a.length + b.length + c.length) * facets.per_reach());
-  const FourWords high =
-      reinterpret_cast<FourWords>(__builtin_convertvector(square, FourFloats)) + 0x10000u;
-  const FourWords low =
-      reinterpret_cast<FourWords>(__builtin_convertvector(linear, FourFloats)) + 0x10000u;
-  const FourWords bits = (high & 0xffff0000u) | low >> 16;
-  // A row is a facet as far as its mark, which is none.
-  Four last = reinterpret_cast<Four>(__builtin_convertvector(bits, FourLongs));
-  transpose(nx, ny, nz, last);
+  Four square = nx * nx + ny * ny + nz * nz;
+  square = square < terms.square ? square : terms.square - Four{};
+  nx = nx + 2 * apex.x;
+  ny = ny + 2 * apex.y;
+  nz = nz + 2 * apex.z;
+  Four offset = apex.w - (nx * apex.x + ny * apex.y + nz * apex.z);
+  const Four l1_norm = magnitude(nx) + magnitude(ny) + magnitude(nz);
+  const Four local = useful ? growth * square : Facets::ErrorTerms::kUseless - Four{};
+  const Four error = local + (terms.linear * l1_norm + terms.constant);
+  const FourBits exponent = (reinterpret_cast<FourBits>(error) >> 52) + 1;
+  offset = reinterpret_cast<Four>((reinterpret_cast<FourBits>(offset) & ~std::uint64_t{0xfff}) |
+                                  exponent);
+  transpose(nx, ny, nz, offset);
   facets.set_hyperplane(f[0], &nx);
   facets.set_hyperplane(f[1], &ny);
   facets.set_hyperplane(f[2], &nz);
-  facets.set_hyperplane(f[3], &last);
+  facets.set_hyperplane(f[3], &offset);
 }
 
 }  // namespace
 
 bool has_four_lanes() {
 #if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0;
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("popcnt") != 0;
 #else
   return false;
 #endif
 }
 
-void see(const Facets& facets, std::span<const FacetIndex> list, const Point3& q, Seen* seen) {
-  for (std::size_t k = 0; k < list.size(); k += 4) {
-    unsigned visible = 0;
-    unsigned unclear = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      const Facets::Height h = facets.height(list[k + i], q);
-      const bool sees = h.value > h.error;
-      visible |= unsigned{sees} << i;
-      unclear |= unsigned{!sees && !(h.value < -h.error)} << i;
-    }
-    seen[k / 4] = {static_cast<std::uint8_t>(visible), static_cast<std::uint8_t>(unclear)};
+Counts sort_by_view(const Facets& facets, std::span<const FacetIndex> list,
+                    const LiftedDifference& q, FacetIndex* visible, FacetIndex* unclear) {
+  Counts counts{};
+  for (const FacetIndex f : list) {
+    const Facets::Height h = facets.height(f, q);
+    const bool sees = h.value > h.error;
+    visible[counts.visible] = f;
+    counts.visible += sees;
+    unclear[counts.unclear] = f;
+    counts.unclear += !sees && !(h.value < -h.error);
   }
+  return counts;
 }
 
-TETSCULPT_FOUR_LANES void see_by_four(const Facets& facets, std::span<const FacetIndex> list,
-                                      const Point3& q, Seen* seen) {
+TETSCULPT_FOUR_LANES Counts sort_by_view_by_four(const Facets& facets,
+                                                 std::span<const FacetIndex> list,
+                                                 const LiftedDifference& q, FacetIndex* visible,
+                                                 FacetIndex* unclear) {
+  Counts counts{};
+  const FourQueries queries(q);
+  unsigned sees = 0;
+  unsigned open = 0;
   for (std::size_t k = 0; k < list.size(); k += 4) {
+    const FacetIndex* const four = &list[k];
     Four value;
     Four error;
-    four_heights(facets, list[k], list[k + 1], list[k + 2], list[k + 3], q, value, error);
-    const auto visible = value > error;
-    const auto clear = visible | (value < -error);
-    seen[k / 4] = {pattern(visible), pattern(~clear)};
+    four_heights(facets, four[0], four[1], four[2], four[3], queries, value, error);
+    open = 15 & ~pattern(magnitude(value) > error);
+    sees = 15 & ~(open | negative(value));
+    append(four, sees, visible, counts.visible);
+    if (open != 0) [[unlikely]]
+      append(four, open, unclear, counts.unclear);
   }
+  const unsigned after_end = 15u << ((list.size() - 1) % 4 + 1);
+  counts.visible -= static_cast<std::size_t>(std::popcount(sees & after_end));
+  counts.unclear -= static_cast<std::size_t>(std::popcount(open & after_end));
+  return counts;
 }
 
-NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const Point3& q) {
+NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const LiftedDifference& q) {
   NeighborHeights heights{};
   for (unsigned i = 0; i < 4; ++i) {
     const Facets::Height h = facets.height(facet_of(facets.neighbors(f)[i]), q);
@@ -211,12 +268,12 @@ NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const Point
 }
 
 TETSCULPT_FOUR_LANES NeighborHeights neighbor_heights_by_four(const Facets& facets, FacetIndex f,
-                                                              const Point3& q) {
+                                                              const LiftedDifference& q) {
   Four value;
   Four error;
   const auto& ridges = facets.neighbors(f);
   four_heights(facets, facet_of(ridges[0]), facet_of(ridges[1]), facet_of(ridges[2]),
-               facet_of(ridges[3]), q, value, error);
+               facet_of(ridges[3]), FourQueries(q), value, error);
   NeighborHeights heights;
   std::memcpy(&heights.value, &value, sizeof value);
   heights.visible = pattern(value > error);
@@ -226,7 +283,7 @@ TETSCULPT_FOUR_LANES NeighborHeights neighbor_heights_by_four(const Facets& face
 void set_spokes(std::span<const Point3> points, Site apex, std::span<const Site> corners,
                 Spoke* spokes) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    spokes[k] = spoke(points[corners[k]], points[apex]);
+    spokes[k] = lifted_difference(points[corners[k]], points[apex]);
   }
 }
 
@@ -240,53 +297,36 @@ TETSCULPT_FOUR_LANES void set_spokes_by_four(std::span<const Point3> points, Sit
     const Point3& p3 = points[corners[k + 3]];
     Four x;
     Four y;
-    load_two(p0, p1, p2, p3, x, y);
+    load_two<0>(p0, p1, p2, p3, x, y);
     x = x - p.x;
     y = y - p.y;
     Four z = Four{p0.z, p1.z, p2.z, p3.z} - p.z;
     Four w = x * x + y * y + z * z;
-    const Four length = root(w);
     transpose(x, y, z, w);
-    std::memcpy(&spokes[k].to, &x, sizeof x);
-    std::memcpy(&spokes[k + 1].to, &y, sizeof y);
-    std::memcpy(&spokes[k + 2].to, &z, sizeof z);
-    std::memcpy(&spokes[k + 3].to, &w, sizeof w);
-    for (std::size_t i = 0; i < 4; ++i) spokes[k + i].length = length[i];
+    std::memcpy(&spokes[k], &x, sizeof x);
+    std::memcpy(&spokes[k + 1], &y, sizeof y);
+    std::memcpy(&spokes[k + 2], &z, sizeof z);
+    std::memcpy(&spokes[k + 3], &w, sizeof w);
   }
 }
 
-void set_hyperplanes(Facets& facets, std::span<const ConeFacet> cone,
+void set_hyperplanes(Facets& facets, Site apex, std::span<const ConeFacet> cone,
                      std::span<const Spoke> spokes) {
+  const LiftedDifference p = facets.lifted(facets.point(apex));
   for (const auto& [f, numbers] : cone) {
-    facets.set_hyperplane(f, &spokes[numbers[0]], &spokes[numbers[1]],
-                          facets.infinite(f) ? nullptr : &spokes[numbers[2]]);
+    facets.set_hyperplane(f, p, spokes[numbers[0]], spokes[numbers[1]], spokes[numbers[2]]);
   }
 }
 
-TETSCULPT_FOUR_LANES void set_hyperplanes_by_four(Facets& facets, std::span<const ConeFacet> cone,
+TETSCULPT_FOUR_LANES void set_hyperplanes_by_four(Facets& facets, Site apex,
+                                                  std::span<const ConeFacet> cone,
                                                   std::span<const Spoke> spokes) {
+  const LiftedDifference p = facets.lifted(facets.point(apex));
   for (std::size_t k = 0; k < cone.size(); k += 4) {
-    std::array<const ConeFacet*, 4> g;  // the last again, where there are no more
-    std::array<FacetIndex, 4> f;
-    for (std::size_t i = 0; i < 4; ++i) {
-      g[i] = &cone[std::min(k + i, cone.size() - 1)];
-      f[i] = g[i]->facet;
-    }
-    if (facets.infinite(f[0]) || facets.infinite(f[1]) || facets.infinite(f[2]) ||
-        facets.infinite(f[3])) {
-      set_hyperplanes(facets, cone.subspan(k, std::min<std::size_t>(4, cone.size() - k)), spokes);
-      continue;
-    }
-    FourSpokes a;
-    FourSpokes b;
-    FourSpokes c;
-    const auto spoke = [&](std::size_t i, std::size_t corner) -> const Spoke& {
-      return spokes[g[i]->numbers[corner]];
-    };
-    load(spoke(0, 0), spoke(1, 0), spoke(2, 0), spoke(3, 0), a);
-    load(spoke(0, 1), spoke(1, 1), spoke(2, 1), spoke(3, 1), b);
-    load(spoke(0, 2), spoke(1, 2), spoke(2, 2), spoke(3, 2), c);
-    set_four(facets, f, a, b, c);
+    const ConeFacet* const four = &cone[k];
+    set_four(facets, {four[0].facet, four[1].facet, four[2].facet, four[3].facet}, p,
+             spokes_to_corner<0>(four, spokes), spokes_to_corner<1>(four, spokes),
+             spokes_to_corner<2>(four, spokes));
   }
 }
 

@@ -15,24 +15,28 @@ namespace tetsculpt::hull {
 /// Whether this build and this processor can take four at a time.
 bool has_four_lanes();
 
-/// Which of four facets a point sees, a bit each.
-struct Seen {
-  std::uint8_t visible;  ///< of those that are clear
-  std::uint8_t unclear;  ///< left to Facets::decide
+/// How many facets a point sees clearly, and of how many that is left to Facets::decide.
+struct Counts {
+  std::size_t visible;
+  std::size_t unclear;
 };
 
-/// Per four facets of a list, whose size is a multiple of four.
-void see(const Facets& facets, std::span<const FacetIndex> list, const Point3& q, Seen* seen);
-void see_by_four(const Facets& facets, std::span<const FacetIndex> list, const Point3& q,
-                 Seen* seen);
+/// Lists those of some facets that a point, lifted from the middle, sees, and those that are
+/// unclear. Each list must have room for all and three more.
+Counts sort_by_view(const Facets& facets, std::span<const FacetIndex> list,
+                    const LiftedDifference& q, FacetIndex* visible, FacetIndex* unclear);
+/// Reads up to three entries after the end of the list: indices of facets.
+Counts sort_by_view_by_four(const Facets& facets, std::span<const FacetIndex> list,
+                            const LiftedDifference& q, FacetIndex* visible, FacetIndex* unclear);
 
 /// Facets::height of a point above a facet's four neighbours.
 struct NeighborHeights {
   std::array<double, 4> value;
   unsigned visible;  ///< those that are clearly seen, a bit each
 };
-NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const Point3& q);
-NeighborHeights neighbor_heights_by_four(const Facets& facets, FacetIndex f, const Point3& q);
+NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const LiftedDifference& q);
+NeighborHeights neighbor_heights_by_four(const Facets& facets, FacetIndex f,
+                                         const LiftedDifference& q);
 
 /// A new facet through an apex, its first corner, and a ridge of the horizon.
 struct ConeFacet {
@@ -46,10 +50,11 @@ void set_spokes(std::span<const Point3> points, Site apex, std::span<const Site>
 void set_spokes_by_four(std::span<const Point3> points, Site apex, std::span<const Site> corners,
                         Spoke* spokes);
 
-/// Sets the hyperplanes of a cone's facets. The spokes lead from the apex to the other corners.
-void set_hyperplanes(Facets& facets, std::span<const ConeFacet> cone,
+/// Sets the hyperplanes of a cone's facets. The spokes lead from the apex to the other corners. By
+/// four, the cone's end is followed by facets of it up to a multiple of four.
+void set_hyperplanes(Facets& facets, Site apex, std::span<const ConeFacet> cone,
                      std::span<const Spoke> spokes);
-void set_hyperplanes_by_four(Facets& facets, std::span<const ConeFacet> cone,
+void set_hyperplanes_by_four(Facets& facets, Site apex, std::span<const ConeFacet> cone,
                              std::span<const Spoke> spokes);
 
 }  // namespace tetsculpt::hull

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -16,36 +17,40 @@ namespace {
 
 using Corners = std::array<VertexId, 4>;
 
-/// Where corner i of a facet goes when they are put in order: bits 2 i and 2 i + 1.
-using Places = std::uint8_t;
+/// How four corners are put in ascending order, infinity last; the last two change places if that
+/// keeps the orientation.
+struct Order {
+  std::array<std::uint8_t, 4> corner_at{};  ///< per place
+  std::array<std::uint32_t, 4> place_of{};  ///< per corner
+};
 
-std::uint32_t place(Places places, std::uint32_t corner) { return (places >> (2 * corner)) & 3; }
+/// Six bits: of corners 1 0, 2 0, 3 0, 2 1, 3 1 and 3 2, whether the first is less.
+using Comparisons = std::uint8_t;
 
-/// Puts corners in ascending order, infinity last; the last two change places if that keeps the
-/// orientation. A corner's place is how many are less.
-Places put_in_order(const std::array<Site, 4>& corners, Corners& to) {
-  const auto less = [&](std::size_t i, std::size_t j) -> std::uint32_t {
-    return corners[i] < corners[j];
-  };
-  const std::uint32_t l10 = less(1, 0);
-  const std::uint32_t l20 = less(2, 0);
-  const std::uint32_t l30 = less(3, 0);
-  const std::uint32_t l21 = less(2, 1);
-  const std::uint32_t l31 = less(3, 1);
-  const std::uint32_t l32 = less(3, 2);
-  const std::uint32_t odd = l10 ^ l20 ^ l30 ^ l21 ^ l31 ^ l32;
-  std::uint32_t places = 0;
-  const auto put = [&](std::uint32_t i, std::uint32_t place) {
-    place ^= odd & place >> 1;
-    to[place] = VertexId{corners[i]};
-    places |= place << (2 * i);
-  };
-  put(0, l10 + l20 + l30);
-  put(1, 1 - l10 + l21 + l31);
-  put(2, 2 - l20 - l21 + l32);
-  put(3, 3 - l30 - l31 - l32);
-  return static_cast<Places>(places);
+constexpr Comparisons compare(const std::array<Site, 4>& c) {
+  std::uint32_t bits = c[1] < c[0];
+  bits += bits + (c[2] < c[0]);
+  bits += bits + (c[3] < c[0]);
+  bits += bits + (c[2] < c[1]);
+  bits += bits + (c[3] < c[1]);
+  bits += bits + (c[3] < c[2]);
+  return static_cast<Comparisons>(bits);
 }
+
+constexpr auto kOrders = [] {
+  std::array<Order, 64> orders{};
+  std::array<Site, 4> rank{0, 1, 2, 3};
+  do {
+    const Comparisons bits = compare(rank);
+    const auto odd = static_cast<std::uint32_t>(std::popcount(bits)) & 1;
+    for (std::uint8_t i = 0; i < 4; ++i) {
+      const std::uint32_t place = rank[i] ^ (odd & rank[i] >> 1);
+      orders[bits].place_of[i] = place;
+      orders[bits].corner_at[place] = i;
+    }
+  } while (std::next_permutation(rank.begin(), rank.end()));
+  return orders;
+}();
 
 class Output {
  public:
@@ -84,7 +89,7 @@ class Output {
   struct Item {
     Corners corners;
     FacetIndex facet;
-    Places places;
+    Comparisons comparisons;
 
     /// Sorts a bucket: no two tetrahedra have the same first three corners, because those around an
     /// edge, as they are oriented, lead from each third corner to one fourth.
@@ -151,22 +156,18 @@ class Output {
   void write_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t size = end - begin;
     if (size > kFew) return write_large_bucket(hull, begin, end);
-    // Counts how many come before each: no branch depends on the order they are in.
     std::array<Item, kFew> items;
     std::array<std::uint64_t, kFew> keys;
-    std::array<std::uint32_t, kFew> before;
     for (std::uint32_t i = 0; i < size; ++i) {
       items[i] = item(begin + i);
       keys[i] = items[i].key();
-      std::uint32_t smaller = 0;
-      for (std::uint32_t k = 0; k < i; ++k) {
-        const bool less = keys[k] < keys[i];
-        smaller += less;
-        before[k] += !less;
-      }
-      before[i] = smaller;
     }
-    for (std::uint32_t i = 0; i < size; ++i) put(items[i], hull, begin + before[i]);
+    // Counts how many come before each: no branch depends on the order they are in.
+    for (std::uint32_t i = 0; i < size; ++i) {
+      std::uint32_t before = 0;
+      for (std::uint32_t k = 0; k < size; ++k) before += keys[k] < keys[i];
+      put(items[i], hull, begin + before);
+    }
   }
 
   void write_large_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
@@ -180,18 +181,22 @@ class Output {
     __builtin_prefetch(&facets_[facet_at_[std::min(i + kAhead, count_ - 1)]]);
     Item item;
     item.facet = facet_at_[i];
-    item.places = put_in_order(facets_[item.facet].corners, item.corners);
+    const std::array<Site, 4>& corners = facets_[item.facet].corners;
+    item.comparisons = compare(corners);
+    const Order& order = kOrders[item.comparisons];
+    for (std::size_t p = 0; p < 4; ++p) item.corners[p] = VertexId{corners[order.corner_at[p]]};
     return item;
   }
 
-  /// Where it went takes the place of the facet's own corners.
+  /// The facets of the tetrahedron take the place of the facet's own corners.
   void put(const Item& item, LiftedHull& hull, std::uint32_t at) {
-    hull.tets[at] = item.corners;
+    const Order& order = kOrders[item.comparisons];
     FacetLinks& facet = facets_[item.facet];
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      hull.neighbors[at][place(item.places, i)] = facet.neighbors[i];
+    hull.tets[at] = item.corners;
+    for (std::size_t p = 0; p < 4; ++p) {
+      hull.neighbors[at][p] = facet.neighbors[order.corner_at[p]];
     }
-    facet.corners = {at, item.places};
+    for (std::size_t i = 0; i < 4; ++i) facet.corners[i] = 4 * at + order.place_of[i];
   }
 
   /// From ridges of facets to facets of tetrahedra.
@@ -202,8 +207,7 @@ class Output {
         for (std::uint32_t i = 0; i < 4; ++i) {
           __builtin_prefetch(&facets_[facet_of(later[i])]);
           const Ridge r = neighbors[t][i];
-          const auto [tet, places, unused, none] = facets_[facet_of(r)].corners;
-          neighbors[t][i] = 4 * tet + place(static_cast<Places>(places), corner_of(r));
+          neighbors[t][i] = facets_[facet_of(r)].corners[corner_of(r)];
         }
       }
     });

@@ -54,9 +54,9 @@ class LargeBlock {
 
   /// Of the first `count` elements one member, one behind the other in the same memory; lets go of
   /// the rest. On up to `threads` threads, each(thread, part) is called with every one.
-  template <class Part, class Each>
-  LargeBlock<Part> reduced_to(Part T::*part, std::size_t count, int threads, Each&& each) && {
-    static_assert(2 * sizeof(Part) <= sizeof(T));
+  template <class Part, class Whole, class Each>
+  LargeBlock<Part> reduced_to(Part Whole::*part, std::size_t count, int threads, Each&& each) && {
+    static_assert(std::is_same_v<Whole, T> && 2 * sizeof(Part) <= sizeof(T));
     auto* const bytes = reinterpret_cast<std::byte*>(data_);
     // Twice as many each time: [begin, 2 begin) go where those were that went before.
     std::size_t end = 0;

@@ -55,29 +55,56 @@ Scene random_scene(Random& random) {
   return scene;
 }
 
-TEST_CASE("heights and their errors against exact signs") {
-  Random random(3);
-  std::int64_t clear = 0, unclear = 0, ties = 0, wrong = 0;
-  for (int round = 0; round < 60'000; ++round) {
-    Scene p = random_scene(random);
-    const Sign volume = exact::orient3d(p[0], p[1], p[2], p[3]);
-    if (volume == Sign::kZero) continue;
-    if (volume == Sign::kNegative) std::swap(p[0], p[1]);
-    hull::Facets facets(p, std::ldexp(1.0, unit_exponent(p)));
-    std::vector<hull::FacetIndex> free;
-    facets.append(1, free);
-    const hull::FacetIndex f = free.back();
-    facets.corners(f) = {0, 1, 2, 3};
-    facets.set_hyperplane(f);
-    const hull::Facets::Height h = facets.height(f, p[4]);
-    const Sign exact = exact::insphere(p[0], p[1], p[2], p[3], p[4]);
-    ties += exact == Sign::kZero;
+/// The scene and, in half of all cases, a site so far off that it is a speck in the set.
+std::vector<Point3> sites_of(Random& random, const Scene& scene) {
+  std::vector<Point3> sites(scene.begin(), scene.end());
+  if (random.below(2) == 0) {
+    const double away = std::ldexp(1.0, static_cast<int>(random.below(20)));
+    sites.push_back({scene[0].x + away * (scene[1].x - scene[0].x), scene[0].y,
+                     scene[0].z + away * (scene[2].z - scene[0].z)});
+  }
+  return sites;
+}
+
+/// How often a height's sign was right, open or wrong.
+struct Tally {
+  std::int64_t clear = 0, unclear = 0, wrong = 0;
+  void count(hull::Facets::Height h, Sign exact) {
     if (std::fabs(h.value) > h.error) {
       ++clear;
       wrong += sign_of(h.value) != exact;
     } else {
       ++unclear;
     }
+  }
+};
+
+TEST_CASE("heights and their errors against exact signs") {
+  Random random(3);
+  Tally finite, infinite;
+  std::int64_t ties = 0, wrong = 0;
+  for (int round = 0; round < 60'000; ++round) {
+    Scene p = random_scene(random);
+    const Sign volume = exact::orient3d(p[0], p[1], p[2], p[3]);
+    if (volume == Sign::kZero) continue;
+    if (volume == Sign::kNegative) std::swap(p[0], p[1]);
+    const std::vector<Point3> sites = sites_of(random, p);
+    hull::Facets facets(sites, std::ldexp(1.0, unit_exponent(sites)));
+    std::vector<hull::FacetIndex> free;
+    facets.append(2, free);
+    const hull::FacetIndex f = 0;
+    facets.corners(f) = {0, 1, 2, 3};
+    facets.set_hyperplane(f);
+    const Sign exact = exact::insphere(p[0], p[1], p[2], p[3], p[4]);
+    finite.count(facets.height(f, facets.lifted(p[4])), exact);
+    ties += exact == Sign::kZero;
+
+    // Beyond the triangle 0 1 2, as seen from 3.
+    const hull::FacetIndex g = 1;
+    facets.corners(g) = {1, 0, 2, hull::kAtInfinity};
+    facets.set_hyperplane(g);
+    infinite.count(facets.height(g, facets.lifted(p[4])), -exact::orient3d(p[0], p[1], p[2], p[4]));
+
     bool corner = false;
     for (std::size_t i = 0; i < 4; ++i) corner = corner || p[i] == p[4];
     if (corner) continue;  // no point is given twice
@@ -85,8 +112,12 @@ TEST_CASE("heights and their errors against exact signs") {
     wrong += facets.visible(f, 4) != inside;
   }
   CHECK(wrong == 0);
-  CHECK(clear > 20'000);
-  CHECK(unclear > 5'000);
+  CHECK(finite.wrong == 0);
+  CHECK(finite.clear > 20'000);
+  CHECK(finite.unclear > 5'000);
+  CHECK(infinite.wrong == 0);
+  CHECK(infinite.clear > 20'000);
+  CHECK(infinite.unclear > 1'000);
   CHECK(ties > 1'000);
 }
 
