@@ -51,8 +51,9 @@ namespace {
 constexpr double kUnit = DBL_EPSILON / 2;
 /// Twice as many as samples of a surface or a volume have: what is not used is only an address.
 constexpr std::size_t kExpectedPerSite = 16;
-/// Facets are appended in blocks, so that threads seldom wait for each other.
-constexpr std::size_t kBlock = 256;
+/// Facets are appended up to the end of a large page (kernel/large_array): two threads that use one
+/// for the first time at once would both clear it.
+constexpr std::size_t kRoom = (std::size_t{2} << 20) / sizeof(Facet);
 
 /// |x| + |y| + |z|.
 double l1_norm(const LiftedDifference& d) {
@@ -127,23 +128,33 @@ Facets::Facets(std::span<const Point3> sites, double unit, const Box& box)
       exact_below_(16 * unit * unit * unit * unit * unit),
       exact_below_infinite_(8 * unit * unit * unit),
       lattice_(lattice_numbers(sites, box, per_unit_)),
-      facets_(kExpectedPerSite * sites.size() + kBlock),
+      facets_(kExpectedPerSite * sites.size() + kExpectedPerSite),
       marks_(facets_.capacity()) {}
 
-bool Facets::append(std::size_t count, std::vector<FacetIndex>& free) {
+FacetRoom Facets::append(std::size_t count) {
   const std::lock_guard lock(growing_);
+  constexpr std::size_t kMost = kNone / 4;
   const std::size_t begin = size_;
-  const std::size_t end = begin + std::max(count, kBlock);
-  if (end > kNone / 4) throw std::length_error("more than 2^30 tetrahedra");
-  if (end > facets_.capacity()) {
+  const std::size_t least = begin + count;
+  if (least > kMost) throw std::length_error("more than 2^30 tetrahedra");
+  if (least > facets_.capacity()) {
     full_ = shared_;
-    if (shared_) return false;
-    grow(std::max(end, 3 * facets_.capacity() / 2));
+    if (shared_) return {};
+    grow(std::max(least, 3 * facets_.capacity() / 2));
   }
+  const std::size_t page_end = least / kRoom * kRoom + kRoom - 1;
+  const std::size_t end = std::min({std::max(least, page_end), facets_.capacity(), kMost});
   size_ = end;
   for (std::size_t f = begin; f < end; ++f) marks_[f] = Mark::kUnmet;
-  for (std::size_t f = end; f-- > begin;) free.push_back(static_cast<FacetIndex>(f));
-  return true;
+  return {static_cast<FacetIndex>(begin), static_cast<FacetIndex>(end)};
+}
+
+void Facets::give_back(std::vector<FacetRoom> rooms) {
+  std::ranges::sort(rooms, std::ranges::greater{}, &FacetRoom::end);
+  for (const FacetRoom& room : rooms) {
+    if (room.end == size_) size_ = room.begin;
+    for (FacetIndex f = room.begin; f < room.end && f < size_; ++f) set_dead(f);
+  }
 }
 
 void Facets::unshare() {

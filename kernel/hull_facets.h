@@ -44,6 +44,13 @@ struct LiftedDifference {
 /// From a cone's apex to one of its other corners.
 using Spoke = LiftedDifference;
 
+/// Facets that were never used: [begin, end).
+struct FacetRoom {
+  FacetIndex begin = 0;
+  FacetIndex end = 0;
+  std::size_t size() const { return end - begin; }
+};
+
 /// What the insertion under way knows of a facet: bits, in a type that aliases no other.
 enum class Mark : std::uint8_t { kUnmet = 0, kMet = 1, kVisible = 3 };
 constexpr Mark operator|(Mark a, Mark b) {
@@ -87,12 +94,12 @@ class Facets {
   Facets(std::span<const Point3> sites, double unit);
 
   std::size_t size() const { return size_; }
-  /// Appends at least so many facets, of which nothing is set, to a list: whoever has it sees to it
-  /// that they don't seem to live. While shared, facets may not move in memory: false if they would
-  /// have to.
-  bool append(std::size_t count, std::vector<FacetIndex>& free);
-  /// Leaves no facet here; gives away the memory of their hyperplanes. On up to `threads` threads,
-  /// seen(thread, links) is called for each.
+  /// At least so many new facets, of which nothing is set. While shared, facets may not move in
+  /// memory: none if they would have to.
+  FacetRoom append(std::size_t count);
+  /// Takes back what was appended and never used.
+  void give_back(std::vector<FacetRoom> rooms);
+  /// Leaves no facet here; gives away the memory of their hyperplanes. See LargeBlock::reduced_to.
   template <class Seen>
   LargeBlock<FacetLinks> take_links(int threads, Seen&& seen) {
     return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0), threads, seen);
@@ -170,9 +177,6 @@ class Facets {
   bool tie_visible(FacetIndex f, Site q) const;
 
   std::span<const Point3> sites_;
-  bool shared_ = false;
-  bool full_ = false;  ///< some thread was told that there is no room
-  std::mutex growing_;
   Point3 middle_;
   double radius_;  ///< no site is farther from the middle
   ErrorTerms error_terms_;
@@ -183,9 +187,13 @@ class Facets {
   /// Per site, if all coordinates are within 2^16 units: a number in lexicographic order, whose
   /// last three bits are zero; and kOnSphere.
   LargeArray<std::uint64_t> lattice_;
-  std::size_t size_ = 0;
   LargeBlock<Facet> facets_;
   LargeBlock<Mark> marks_;
+  // What follows changes, while other threads read what is above: not in one cache line.
+  alignas(64) std::mutex growing_;
+  std::size_t size_ = 0;
+  bool shared_ = false;
+  bool full_ = false;  ///< some thread was told that there is no room
 };
 
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {

@@ -28,12 +28,12 @@ constexpr std::size_t in_fours(std::size_t n) { return (n + 3) & ~std::size_t{3}
 
 }  // namespace
 
-Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
+Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetRoom> rooms,
                    bool by_four, std::span<FacetIndex> known)
     : points_(points),
       facets_(facets),
       by_four_(by_four),
-      free_(std::move(free)),
+      rooms_(std::move(rooms)),
       known_(known),
       number_of_(points.size() + 1, 0),
       half_ridge_(kLargeCone * kLargeCone) {}
@@ -42,8 +42,14 @@ void Inserter::mark_free() {
   for (const FacetIndex f : free_) facets_.set_dead(f);
 }
 
+void Inserter::give_back() {
+  mark_free();
+  facets_.give_back(std::exchange(rooms_, {}));
+}
+
 Inserter Inserter::helper(SiteRange own) {
-  Inserter helper(points_, facets_, std::exchange(free_, {}), by_four_, known_);
+  Inserter helper(points_, facets_, std::exchange(rooms_, {}), by_four_, known_);
+  helper.free_ = std::exchange(free_, {});
   helper.own_ = own;
   helper.last_ = kNone;
   helper.first_number_ = 1;
@@ -59,13 +65,11 @@ void Inserter::look_around() {
 
 void Inserter::take_over(const Inserter& helper) {
   free_.insert(free_.end(), helper.free_.begin(), helper.free_.end());
+  rooms_.insert(rooms_.end(), helper.rooms_.begin(), helper.rooms_.end());
   if (helper.last_ != kNone) last_ = helper.last_;
 }
 
-bool Inserter::own(FacetIndex f) const {
-  return own_.all() ||
-         std::ranges::all_of(facets_.corners(f), [&](Site s) { return own_.contains(s); });
-}
+bool Inserter::own(FacetIndex f) const { return own_.all() || own_.contains(facets_.corners(f)); }
 
 /// Whether it lives and is at that site.
 bool Inserter::at_site(FacetIndex f, Site s) const {
@@ -101,13 +105,31 @@ bool Inserter::insert_farthest(FacetIndex seen) {
   const Slot slot = pick_apex(seen);
   const Site apex = batch_[slot];
   if (!find_horizon(apex, seen)) return false;
-  if (free_.size() < cut_.size() && !facets_.append(cut_.size() - free_.size(), free_)) {
+  if (free_.size() < cut_.size() && !find_room(cut_.size())) {
     forget(visible_.size());
     return false;
   }
   collect_orphans(slot);
   make_cone(apex);
   reassign_conflicts();
+  return true;
+}
+
+/// Sees to it that so many facets are free; false if the store has no room for them.
+bool Inserter::find_room(std::size_t count) {
+  constexpr std::size_t kAtOnce = 256;
+  while (free_.size() < count) {
+    if (rooms_.empty()) {
+      const FacetRoom appended = facets_.append(count);
+      if (appended.size() == 0) return false;
+      rooms_.push_back(appended);
+    }
+    FacetRoom& room = rooms_.back();
+    const FacetIndex begin = room.begin;
+    room.begin += static_cast<FacetIndex>(std::min(kAtOnce, room.size()));
+    for (FacetIndex f = room.begin; f-- > begin;) free_.push_back(f);
+    if (room.size() == 0) rooms_.pop_back();
+  }
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,16 @@ struct SiteRange {
   Site begin = 0;
   Site end = kAtInfinity;
   bool contains(Site s) const { return Site{s - begin} < Site{end - begin} || s == kAtInfinity; }
+  /// All four, without a branch on which.
+  bool contains(const std::array<Site, 4>& sites) const {
+    using Four = std::uint32_t __attribute__((vector_size(16)));
+    using Two = std::uint64_t __attribute__((vector_size(16)));
+    Four four;
+    std::memcpy(&four, &sites, sizeof four);
+    const auto outside = (four - begin >= end - begin) & (four != kAtInfinity);
+    const Two halves = reinterpret_cast<Two>(outside);
+    return (halves[0] | halves[1]) == 0;
+  }
   bool all() const { return begin == 0 && end == kAtInfinity; }
 };
 
@@ -62,12 +73,14 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
 
   /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes(). `known`, if
   /// there will be helpers, holds a facet per site that has one, or kNone.
-  Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetIndex> free,
+  Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetRoom> rooms,
            bool by_four, std::span<FacetIndex> known);
   /// Marks the facets at hand for the next insertions as dead, which must be done before anybody
   /// asks what lives. To do so with each as it is appended would sweep the nearest cache: 6 % of
   /// the hull.
   void mark_free();
+  /// Marks them and gives back what was never used: nothing is inserted any more.
+  void give_back();
   /// One with a range of its own that goes on from here, as this one can only by take_over(). It
   /// must look_around() before anything is inserted.
   Inserter helper(SiteRange own);
@@ -94,6 +107,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   bool own(FacetIndex f) const;
   bool at_site(FacetIndex f, Site s) const;
   bool insert_farthest(FacetIndex seen);
+  bool find_room(std::size_t count);
   // The four steps of Quickhull.
   Slot pick_apex(FacetIndex f) const;
   bool find_horizon(Site apex, FacetIndex seen);
@@ -123,6 +137,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   SiteRange own_;
   FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
   std::vector<FacetIndex> free_;  ///< facets that died or were never used; the last are next
+  std::vector<FacetRoom> rooms_;  ///< where more come from
   /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
   /// are no helpers.
   std::span<FacetIndex> known_;

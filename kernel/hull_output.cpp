@@ -57,7 +57,6 @@ class Output {
   Output(Facets& facets, std::size_t site_count, int threads)
       : threads_(threads), bucket_count_(2 * site_count) {
     take(facets);
-    share_buckets();
   }
 
   LiftedHull run(const std::function<void(double)>& progress) {
@@ -66,6 +65,7 @@ class Output {
     };
     told(0.2);
     fill_buckets();
+    share_buckets();
     told(0.3);
     LiftedHull hull;
     hull.finite_count = begin_of(bucket_count_ / 2);
@@ -81,6 +81,8 @@ class Output {
   }
 
  private:
+  /// Threads that take facets: each has a table of all buckets.
+  static constexpr int kMostTakers = 4;
   /// So many are sorted by counting.
   static constexpr std::uint32_t kFew = 64;
   /// What is needed so many steps later is asked for: it lies anywhere in memory.
@@ -97,30 +99,50 @@ class Output {
   };
 
   /// One bucket per lowest corner; those of infinite facets come after all others.
-  std::size_t bucket(const FacetLinks& facet) const {
+  static std::size_t bucket(const FacetLinks& facet, std::size_t bucket_count) {
     const auto& c = facet.corners;
     const std::size_t lowest = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
-    return facet.infinite() ? lowest + bucket_count_ / 2 : lowest;
+    return facet.infinite() ? lowest + bucket_count / 2 : lowest;
   }
   std::uint32_t begin_of(std::size_t b) const { return b == 0 ? 0 : end_[b - 1]; }
 
-  /// Takes the facets and counts what will be in each bucket: end_[b] is b's beginning.
+  /// Takes the facets and counts what each thread will put into each bucket: where it begins with
+  /// that.
   void take(Facets& facets) {
-    // Each thread counts in a table of its own: a few, whatever their number, cost little memory.
-    const int threads = std::min(threads_, 4);
-    std::vector<LargeArray<std::uint32_t>> counts(worth_threads(facets.size(), threads));
-    for (auto& count : counts) count.resize(bucket_count_, 0);
-    facets_ = facets.take_links(threads, [&](std::size_t thread, const FacetLinks& facet) {
-      if (facet.lives()) ++counts[thread][bucket(facet)];
+    taken_ = facets.size();
+    next_.resize(worth_threads(taken_, std::min(threads_, kMostTakers)));
+    for (auto& next : next_) next.resize(bucket_count_, 0);
+    facets_ = facets.take_links(takers(), [&](std::size_t thread) {
+      return [next = next_[thread].data(), count = bucket_count_](const FacetLinks& facet) {
+        if (facet.lives()) ++next[bucket(facet, count)];
+      };
     });
-    end_ = std::move(counts[0]);
+    std::uint32_t sum = 0;
     for (std::size_t b = 0; b < bucket_count_; ++b) {
-      std::uint32_t count = end_[b];
-      for (std::size_t thread = 1; thread < counts.size(); ++thread) count += counts[thread][b];
-      end_[b] = static_cast<std::uint32_t>(count_);
-      count_ += count;
+      for (auto& next : next_) sum += std::exchange(next[b], sum);
     }
+    count_ = sum;
   }
+
+  /// Lists the facets by bucket and puts the ends of the buckets into end_. Each thread lists those
+  /// that it took.
+  void fill_buckets() {
+    facet_at_.resize(count_);
+    parallel_each(next_.size(), [&](std::size_t thread) {
+      LargeBlock<Facet>::reduced_ranges(
+          taken_, takers(), thread,
+          [facets = &facets_[0], to = facet_at_.data(), next = next_[thread].data(),
+           count = bucket_count_](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+              if (!facets[f].lives()) continue;
+              to[next[bucket(facets[f], count)]++] = static_cast<FacetIndex>(f);
+            }
+          });
+    });
+    end_ = std::move(next_.back());
+    next_.clear();
+  }
+  int takers() const { return static_cast<int>(next_.size()); }
 
   /// Shares the buckets out among the threads, by what is in them.
   void share_buckets() {
@@ -136,20 +158,6 @@ class Output {
   template <class Work>
   void for_each_share(Work&& work) const {
     parallel_each(cuts_.size() - 1, [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
-  }
-
-  /// Lists the facets by bucket and puts the ends of the buckets into end_. Each thread reads all
-  /// facets for those of its share: two that fill one bucket wait for each other's cache lines, and
-  /// are slower than one.
-  void fill_buckets() {
-    facet_at_.resize(count_);
-    for_each_share([&](std::size_t begin, std::size_t end) {
-      for (FacetIndex f = 0; f < facets_.capacity(); ++f) {
-        if (!facets_[f].lives()) continue;
-        const std::size_t b = bucket(facets_[f]);
-        if (b >= begin && b < end) facet_at_[end_[b]++] = f;
-      }
-    });
   }
 
   /// Writes the tetrahedra of a bucket in their order.
@@ -215,11 +223,13 @@ class Output {
 
   int threads_;
   std::size_t bucket_count_;
-  LargeBlock<FacetLinks> facets_;    ///< living and dead
-  std::size_t count_ = 0;            ///< living
-  LargeArray<std::uint32_t> end_;    ///< per bucket
-  std::vector<std::size_t> cuts_;    ///< buckets that begin a share, and the end
-  LargeArray<FacetIndex> facet_at_;  ///< per tetrahedron, in the order of buckets
+  LargeBlock<FacetLinks> facets_;  ///< living and dead
+  std::size_t taken_ = 0;
+  std::size_t count_ = 0;                        ///< living
+  std::vector<LargeArray<std::uint32_t>> next_;  ///< per thread and bucket
+  LargeArray<std::uint32_t> end_;                ///< per bucket
+  std::vector<std::size_t> cuts_;                ///< buckets that begin a share, and the end
+  LargeArray<FacetIndex> facet_at_;              ///< per tetrahedron, in the order of buckets
 };
 
 }  // namespace

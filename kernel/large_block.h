@@ -6,6 +6,7 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "kernel/large_array.h"
 #include "kernel/parallel.h"
@@ -53,23 +54,15 @@ class LargeBlock {
   }
 
   /// Of the first `count` elements one member, one behind the other in the same memory; lets go of
-  /// the rest. On up to `threads` threads, each(thread, part) is called with every one.
+  /// the rest. On up to `threads` threads; each(thread) gives what is called with every one of that
+  /// thread's, see reduced_ranges().
   template <class Part, class Whole, class Each>
   LargeBlock<Part> reduced_to(Part Whole::*part, std::size_t count, int threads, Each&& each) && {
     static_assert(std::is_same_v<Whole, T> && 2 * sizeof(Part) <= sizeof(T));
-    auto* const bytes = reinterpret_cast<std::byte*>(data_);
-    // Twice as many each time: [begin, 2 begin) go where those were that went before.
-    std::size_t end = 0;
-    for (std::size_t begin = 0; begin < count; begin = end) {
-      end = begin == 0 ? 1 : std::min(2 * begin, count);
-      const std::size_t parts = worth_threads(end - begin, threads);
-      const auto cut = [&](std::size_t thread) { return begin + (end - begin) * thread / parts; };
-      parallel_each(parts, [&](std::size_t thread) {
-        for (std::size_t k = cut(thread); k < cut(thread + 1); ++k) {
-          const Part copy = data_[k].*part;
-          std::memcpy(bytes + k * sizeof(Part), &copy, sizeof(Part));
-          each(thread, copy);
-        }
+    for (std::size_t begin = 0; begin < count; begin = reduced_at_once(begin, count)) {
+      const std::vector<std::size_t> cuts = reduced_cuts(begin, count, threads);
+      parallel_each(cuts.size() - 1, [&](std::size_t thread) {
+        move_parts(data_, part, cuts[thread], cuts[thread + 1], each(thread));
       });
     }
     LargeBlock<Part> parts;
@@ -80,9 +73,42 @@ class LargeBlock {
     return parts;
   }
 
+  /// What reduced_to() gives to one of its threads: calls range(begin, end).
+  template <class Range>
+  static void reduced_ranges(std::size_t count, int threads, std::size_t thread, Range&& range) {
+    for (std::size_t begin = 0; begin < count; begin = reduced_at_once(begin, count)) {
+      const std::vector<std::size_t> cuts = reduced_cuts(begin, count, threads);
+      if (thread + 1 < cuts.size()) range(cuts[thread], cuts[thread + 1]);
+    }
+  }
+
  private:
   template <class>
   friend class LargeBlock;
+
+  /// Twice as many each time: [begin, 2 begin) go where those were that went before.
+  static std::size_t reduced_at_once(std::size_t begin, std::size_t count) {
+    return begin == 0 ? 1 : std::min(2 * begin, count);
+  }
+  static std::vector<std::size_t> reduced_cuts(std::size_t begin, std::size_t count, int threads) {
+    std::vector<std::size_t> cuts = range_cuts(reduced_at_once(begin, count) - begin, threads);
+    for (std::size_t& cut : cuts) cut += begin;
+    return cuts;
+  }
+
+  /// What it works with is on the thread's own stack: what one thread reads all the time must not
+  /// share a cache line with what another one writes.
+  template <class Part, class Whole, class Each>
+  static void move_parts(Whole* from, Part Whole::*part, std::size_t begin, std::size_t end,
+                         Each each) {
+    auto* const to = reinterpret_cast<std::byte*>(from);
+    for (std::size_t k = begin; k < end; ++k) {
+      const Part copy = from[k].*part;
+      std::memcpy(to + k * sizeof(Part), &copy, sizeof(Part));
+      each(copy);
+    }
+  }
+
   static constexpr std::align_val_t kAlignment{64};
 
   bool large_ = false;

@@ -64,6 +64,7 @@ namespace {
 
 using hull::facet_of;
 using hull::FacetIndex;
+using hull::FacetRoom;
 using hull::Facets;
 using hull::Inserter;
 using hull::kAtInfinity;
@@ -72,10 +73,9 @@ using hull::Site;
 
 /// The tetrahedron and its four infinite facets, each made by putting infinity in a corner's place.
 /// Returns facets to use next.
-std::vector<FacetIndex> make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
-  std::vector<FacetIndex> free;
-  facets.append(5, free);  // the first are last
-  free.resize(free.size() - 5);
+FacetRoom make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
+  FacetRoom room = facets.append(5);
+  room.begin += 5;
   facets.corners(0) = simplex;
   for (std::uint32_t i = 0; i < 4; ++i) {
     // Infinity in place of corner i, brought last. An odd number of exchanges in all: the shared
@@ -108,7 +108,7 @@ std::vector<FacetIndex> make_simplex(Facets& facets, const std::array<Site, 4>& 
   for (FacetIndex f = 0; f < 5; ++f) {
     facets.set_hyperplane(f);
   }
-  return free;
+  return room;
 }
 
 /// What is to be inserted, round after round.
@@ -145,7 +145,7 @@ class Construction {
         options_(options),
         facets_(points, std::ldexp(1.0, unit_exponent(points, options.threads))),
         known_(options.threads > 1 ? points.size() : 0, hull::kNone),
-        inserter_(points, facets_, make_simplex(facets_, simplex),
+        inserter_(points, facets_, {make_simplex(facets_, simplex)},
                   options.four_lanes && hull::has_four_lanes(), known_) {
     facets_.remember_sphere(simplex);
   }
@@ -165,7 +165,7 @@ class Construction {
 
   LiftedHull result() {
     report(0);  // all are in: the rounds' sizes are in done_
-    inserter_.mark_free();
+    inserter_.give_back();
     std::function<void(double)> progress;
     if (options_.progress) {
       progress = [&](double share) { options_.progress(kInserting + (1 - kInserting) * share); };

@@ -54,8 +54,7 @@ struct Scene {
       : sites(random_sites(random, 3 * facet_count + 2)),
         facets(sites, std::ldexp(1.0, unit_exponent(sites))),
         size(facet_count) {
-    std::vector<hull::FacetIndex> free;
-    facets.append(facet_count, free);
+    facets.append(facet_count);
     for (std::uint32_t f = 0; f < facet_count; ++f) {
       auto& c = facets.corners(f);
       c = {0, 3 * f + 1, 3 * f + 2, random.below(4) == 0 ? hull::kAtInfinity : 3 * f + 3};

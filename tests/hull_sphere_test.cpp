@@ -46,8 +46,7 @@ TEST_CASE("facets among cospherical sites see what is in the perturbed sphere") 
     Random random(kSeed);
     const std::vector<Point3> sites = point_sets::scaled(sphere_and_grid(), unit);
     hull::Facets facets(sites, unit > 1 ? 1 : unit);
-    std::vector<hull::FacetIndex> free;
-    facets.append(1, free);
+    facets.append(1);
     facets.remember_sphere({0, 1, 2, static_cast<Site>(on_sphere - 1)});
     CHECK(facets.on_sphere(0) == (unit != 470));
     std::size_t ties = 0;

@@ -29,11 +29,20 @@ std::size_t wrong_parts(std::size_t count, int threads) {
   LargeBlock<Whole> block(count + 5);
   for (std::size_t k = 0; k < count; ++k) block[k] = whole(k);
   std::vector<std::vector<int>> seen(static_cast<std::size_t>(threads), std::vector<int>(count, 0));
-  const LargeBlock<Part> parts = std::move(block).reduced_to(
-      &Whole::part, count, threads,
-      [&](std::size_t thread, const Part& part) { ++seen[thread][(part.a - 1) / 3]; });
+  const LargeBlock<Part> parts =
+      std::move(block).reduced_to(&Whole::part, count, threads, [&](std::size_t thread) {
+        return [&of_thread = seen[thread]](const Part& p) { ++of_thread[(p.a - 1) / 3]; };
+      });
   REQUIRE(parts.capacity() == count);
   std::size_t wrong = 0;
+  for (std::size_t thread = 0; thread < seen.size(); ++thread) {
+    std::vector<int> expected(count, 0);
+    LargeBlock<Whole>::reduced_ranges(count, threads, thread,
+                                      [&](std::size_t begin, std::size_t end) {
+                                        for (std::size_t k = begin; k < end; ++k) expected[k] = 1;
+                                      });
+    wrong += seen[thread] != expected;
+  }
   for (std::size_t k = 0; k < count; ++k) {
     int times = 0;
     for (const auto& of_thread : seen) times += of_thread[k];
