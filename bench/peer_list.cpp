@@ -9,6 +9,9 @@
 #ifdef TETSCULPT_PEER_QHULL
 #include "bench/peer_qhull.h"
 #endif
+#ifdef TETSCULPT_PEER_HXT
+#include "bench/peer_hxt.h"
+#endif
 
 namespace tetsculpt::bench {
 
@@ -16,6 +19,9 @@ std::vector<Peer> peers() {
   std::vector<Peer> found;
 #ifdef TETSCULPT_PEER_CGAL
   found.push_back({"CGAL", cgal_tetrahedra, 2'000'000});
+#endif
+#ifdef TETSCULPT_PEER_HXT
+  found.push_back({"HXT", hxt_tetrahedra, 2'000'000});
 #endif
 #ifdef TETSCULPT_PEER_TETGEN
   found.push_back({"TetGen", tetgen_tetrahedra, 200'000});

@@ -1,5 +1,5 @@
 // This library and its peers on the same points, in turn in one process: medians of several rounds,
-// and ratios. Peers are those that were found when this was built: CGAL, TetGen, Qhull.
+// and ratios. Peers are those that were found when this was built: CGAL, HXT, TetGen, Qhull.
 //   build/release/bench/bench_peers [--rounds N] [--most POINTS] [FILE ...]
 #include "bench/peers.h"
 

@@ -34,6 +34,8 @@ struct BinaryRange {
       unit_at = point;
     }
   }
+  /// Binary orders from the lowest bit to the highest.
+  int span() const { return top > unit ? top - unit : 0; }
   /// That of points further on.
   void include(const BinaryRange& other) {
     top = std::max(top, other.top);
@@ -44,10 +46,12 @@ struct BinaryRange {
   }
 };
 
-BinaryRange range_of(std::span<const Point3> points, int threads) {
+/// May leave out points once the range spans more than `most` orders.
+BinaryRange range_of(std::span<const Point3> points, int threads,
+                     int most = std::numeric_limits<int>::max()) {
   const auto range_of_part = [&](std::size_t begin, std::size_t end) {
     BinaryRange range;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end && range.span() <= most; ++i) {
       range.include(points[i].x, i);
       range.include(points[i].y, i);
       range.include(points[i].z, i);
@@ -155,8 +159,9 @@ DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
   return result;
 }
 
-int unit_exponent(std::span<const Point3> points, int threads) {
-  const BinaryRange range = range_of(points, threads);
+std::optional<int> unit_exponent(std::span<const Point3> points, int most_bits, int threads) {
+  const BinaryRange range = range_of(points, threads, most_bits);
+  if (range.span() > most_bits) return std::nullopt;
   return range.top > range.unit ? range.unit : 0;
 }
 

@@ -52,8 +52,10 @@ inline constexpr int kMinExponent = -179;
 DistinctPoints distinct_points(std::span<const Point3> points, int threads = 1);
 
 /// The largest k such that all coordinates are multiples of 2^k; 0 if all are zero. Where a
-/// polynomial's value is below 2^53 of its unit, double arithmetic is exact.
-int unit_exponent(std::span<const Point3> points, int threads = 1);
+/// polynomial's value is below 2^53 of its unit, double arithmetic is exact. None if the largest
+/// coordinate and the lowest set bit are more than `most_bits` binary orders apart, which the first
+/// few points mostly tell.
+std::optional<int> unit_exponent(std::span<const Point3> points, int most_bits, int threads = 1);
 
 std::optional<std::string> broken_invariant(const DistinctPoints& distinct,
                                             std::span<const Point3> input);

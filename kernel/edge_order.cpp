@@ -4,6 +4,7 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
+#include <optional>
 
 #include "kernel/distinct_points.h"
 #include "kernel/large_array.h"
@@ -36,7 +37,9 @@ std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetCom
 
   // Below this all arithmetic on squared lengths is exact, because they are multiples of the
   // unit's.
-  const double exact_below = std::ldexp(1.0, 53 + 2 * unit_exponent(points));
+  constexpr int kMostBits = 48;  // few are so short in smaller units
+  const std::optional<int> unit = unit_exponent(points, kMostBits);
+  const double exact_below = unit ? std::ldexp(1.0, 53 + 2 * *unit) : 0;
   const auto shorter = [&](const KeyedIndex& p, const KeyedIndex& q) {
     const double pp = std::bit_cast<double>(p.key);
     const double qq = std::bit_cast<double>(q.key);

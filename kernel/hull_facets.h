@@ -90,7 +90,7 @@ static_assert(sizeof(Facet) == 64);
 ///        2
 class Facets {
  public:
-  /// `unit` is a power of two of which all coordinates are multiples.
+  /// `unit` is a power of two of which all coordinates are multiples, or 0 if none is of use.
   Facets(std::span<const Point3> sites, double unit);
 
   std::size_t size() const { return size_; }

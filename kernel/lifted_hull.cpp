@@ -47,6 +47,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -137,13 +138,21 @@ Rounds rounds_without(const std::array<Site, 4>& simplex, std::size_t site_count
   return rounds;
 }
 
+/// Of which all coordinates are multiples; 0 where it is so small that it is of no use: the exact
+/// stages without expansions take differences below 2^23 units.
+double unit_of(std::span<const Point3> points, int threads) {
+  constexpr int kMostBits = 48;
+  const std::optional<int> exponent = unit_exponent(points, kMostBits, threads);
+  return exponent ? std::ldexp(1.0, *exponent) : 0;
+}
+
 class Construction {
  public:
   Construction(std::span<const Point3> points, const std::array<Site, 4>& simplex,
                const LiftedHullOptions& options)
       : points_(points),
         options_(options),
-        facets_(points, std::ldexp(1.0, unit_exponent(points, options.threads))),
+        facets_(points, unit_of(points, options.threads)),
         known_(options.threads > 1 ? points.size() : 0, hull::kNone),
         inserter_(points, facets_, {make_simplex(facets_, simplex)},
                   options.four_lanes && hull::has_four_lanes(), known_) {

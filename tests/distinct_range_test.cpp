@@ -114,7 +114,7 @@ TEST_CASE("the scale does not change the order") {
 }
 
 TEST_CASE("unit_exponent is the lowest set bit of all coordinates") {
-  const auto unit = [](const std::vector<Point3>& points) { return unit_exponent(points); };
+  const auto unit = [](const std::vector<Point3>& points) { return unit_exponent(points, 10'000); };
   CHECK(unit({}) == 0);
   CHECK(unit({{0, -0.0, 0}}) == 0);
   CHECK(unit({{1, 0, 0}}) == 0);
@@ -124,6 +124,10 @@ TEST_CASE("unit_exponent is the lowest set bit of all coordinates") {
   CHECK(unit({{1 + 0x1p-52, 0, 0}}) == -52);
   CHECK(unit({{0, 0, std::numeric_limits<double>::denorm_min()}}) == -1074);
   CHECK(unit({{0, 0, std::numeric_limits<double>::max()}}) == 971);
+  const std::vector<Point3> ten_bits{{0, 1023, 0}, {2, 0, 1}};
+  CHECK(unit_exponent(ten_bits, 10) == 0);
+  CHECK(unit_exponent(ten_bits, 9) == std::nullopt);
+  CHECK(unit_exponent({}, 0) == 0);
 }
 
 }  // namespace

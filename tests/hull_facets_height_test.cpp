@@ -89,7 +89,7 @@ TEST_CASE("heights and their errors against exact signs") {
     if (volume == Sign::kZero) continue;
     if (volume == Sign::kNegative) std::swap(p[0], p[1]);
     const std::vector<Point3> sites = sites_of(random, p);
-    hull::Facets facets(sites, std::ldexp(1.0, unit_exponent(sites)));
+    hull::Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
     facets.append(2);
     const hull::FacetIndex f = 0;
     facets.corners(f) = {0, 1, 2, 3};

@@ -52,7 +52,7 @@ struct Scene {
 
   Scene(Random& random, std::size_t facet_count)
       : sites(random_sites(random, 3 * facet_count + 2)),
-        facets(sites, std::ldexp(1.0, unit_exponent(sites))),
+        facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000))),
         size(facet_count) {
     facets.append(facet_count);
     for (std::uint32_t f = 0; f < facet_count; ++f) {
