@@ -71,6 +71,10 @@ void Inserter::take_over(const Inserter& helper) {
 
 bool Inserter::own(FacetIndex f) const { return own_.all() || own_.contains(facets_.corners(f)); }
 
+bool Inserter::all_own(std::span<const FacetIndex> facets) const {
+  return std::ranges::all_of(facets, [&](FacetIndex f) { return own(f); });
+}
+
 /// Whether it lives and is at that site.
 bool Inserter::at_site(FacetIndex f, Site s) const {
   return facets_.lives(f) && std::ranges::find(facets_.corners(f), s) != facets_.corners(f).end();
@@ -151,7 +155,7 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   visible_.hold(1);
   for (std::size_t begin = 0; begin < visible_.size();) {
     const std::span<const FacetIndex> wave = visible_.held().subspan(begin);
-    if (!own_.all() && !std::ranges::all_of(wave, [&](FacetIndex f) { return own(f); })) {
+    if (!own_.all() && !all_own(wave)) {
       forget(begin);
       return false;
     }

@@ -105,6 +105,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   };
 
   bool own(FacetIndex f) const;
+  [[gnu::noinline]] bool all_own(std::span<const FacetIndex> facets) const;
   bool at_site(FacetIndex f, Site s) const;
   bool insert_farthest(FacetIndex seen);
   bool find_room(std::size_t count);
