@@ -17,6 +17,7 @@ foreach(
   predicates_symmetry_test
   hull_facets_height_test
   hull_lanes_test
+  hull_room_test
   hull_sphere_test
   perturbation_sphere_test
   perturbation_diametral_sphere_test
