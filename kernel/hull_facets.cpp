@@ -11,17 +11,22 @@
 //     P(y,z,w) <= |A| |B| |C| (|A| + |B| + |C|) =: pi sigma,    P(x,y,z) <= 1.16 pi.
 // Divided by -Nw as it was computed, which takes two roundings more of the other components, n.d -
 // |d|^2 is off by at most
-//     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny)  <=  484 u R^2 pi / -Nw
-// with |d| <= 2 R and sigma <= 6 R; 1000 is taken, because pi comes from squares, whose product may
-// be subnormal. For an infinite facet C is (0, 0, 0, 1) and the value -(A x B).d / (|A| |B|), off
-// by 10 u (|dx| + |dy| + |dz|); times 2^60 R it is a height of 36 2^60 u R^2 of error, to which
-// neither w nor p's lift, below R^2, add much; 1000 taken. Where Nw has the wrong sign or none, the
-// bound is more than any height.
+//     19 u (pi / -Nw) (sigma (|dx| + |dy| + |dz|) + 1.16 |d|^2) (1 + tiny).
+// With |d| <= 2 R and sigma <= 6 R that is 484 u R^2 pi / -Nw. It is also, where |d| is at most
+// twice the sphere's diameter |n|, and sigma <= 3 |n|, 286 u |n|^2 pi / -Nw; farther off the height
+// is below -|d|^2 / 2, and its sign is right if 500 u pi / -Nw < 1, which makes the computed |n|
+// good to a seventh, too. So the bound is 500 u min(|n|^2, R^2) pi / -Nw, or more than any height
+// where that ratio is too large or Nw has the wrong sign or none. (pi comes from squares: their
+// product of degree 6 is exact where it is subnormal, see kernel/distinct_points.)
+//     For an infinite facet C is (0, 0, 0, R^2) and n, of the length 2^60 R |A x B| / (|A| |B|), is
+// off by 10 u 2^60 R: n.d by 36 2^60 u R^2, to which neither w nor p's lift, below R^2, add much.
 //     Moved to the middle, n becomes n + 2 p and the offset |p|^2 - (n + 2 p).p: some 20 roundings
 // of |n| R + R^2, and 2^-40 of the offset, which is no more than that, for the bits that hold the
-// exponent. 2^-39 (R (|nx| + |ny| + |nz|) + 4 R^2) is enough for all. Tests that such a bound
-// leaves open are rare: a sample would have to be 10^5 times as dense in some place as its size is
-// large.
+// exponent. 2^-39 (R (|nx| + |ny| + |nz|) + 4 R^2) is enough for all. A sample must be 10^5 times
+// finer somewhere than it is large for such a bound to leave tests open; those come to a second
+// one, of N.d itself with its own |d|. (65,536 points whose scales span nine decades take a sixth
+// longer than with a bound of |d| in the first stage; a million of a torus, where a tenth of all
+// tests is open, a twentieth less.)
 //
 // All coordinates are multiples of a unit g. Where the value does not decide, N.d is computed again
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
@@ -195,7 +200,8 @@ void Facets::set_hyperplane(FacetIndex f, const LiftedDifference& apex, const Sp
   double nx = scale * m.x;
   double ny = scale * m.y;
   double nz = scale * m.z;
-  const double square = std::min(nx * nx + ny * ny + nz * nz, error_terms_.square);
+  double square = error_terms_.square;
+  if (!infinite(f)) square = std::min(nx * nx + ny * ny + nz * nz, square);
   nx += 2 * apex.x;
   ny += 2 * apex.y;
   nz += 2 * apex.z;

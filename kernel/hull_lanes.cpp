@@ -190,7 +190,7 @@ TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<Facet
   Four ny = scale * -(zx * c.w - zw * c.x + xw * c.z);
   Four nz = scale * -(xy * c.w - xw * c.y + yw * c.x);
   Four square = nx * nx + ny * ny + nz * nz;
-  square = square < terms.square ? square : terms.square - Four{};
+  square = (square < terms.square) & ~infinite ? square : terms.square - Four{};
   nx = nx + 2 * apex.x;
   ny = ny + 2 * apex.y;
   nz = nz + 2 * apex.z;

@@ -38,16 +38,37 @@ Point3 on_lattice(Random& random, std::size_t side) {
   return {coordinate(), coordinate(), coordinate()};
 }
 
-/// Anything, one sphere up to rounding, small and large lattices; at several scales and places.
+/// Off by up to 2^-k, where k is anything up to the last bit.
+Point3 displaced(const Point3& p, Random& random) {
+  const double by = std::ldexp(1.0, -static_cast<int>(random.below(55)));
+  const Point3 d = random_point(random);
+  return {p.x + by * d.x, p.y + by * d.y, p.z + by * d.z};
+}
+
+/// a + s (b - a) + t (c - a), rounded.
+Point3 combined(const Point3& a, const Point3& b, double s, const Point3& c, double t) {
+  return {a.x + s * (b.x - a.x) + t * (c.x - a.x), a.y + s * (b.y - a.y) + t * (c.y - a.y),
+          a.z + s * (b.z - a.z) + t * (c.z - a.z)};
+}
+
+/// Anything, one sphere up to rounding, small and large lattices, three on about a line, four in
+/// about a plane; in a third of all cases the query is about a corner. At several scales and
+/// places.
 Scene random_scene(Random& random) {
   Scene scene;
-  const std::size_t kind = random.below(5);
+  const std::size_t kind = random.below(7);
   for (Point3& p : scene) {
-    p = kind == 0   ? random_point(random)
-        : kind == 1 ? on_sphere(random)
+    p = kind == 1   ? on_sphere(random)
         : kind == 2 ? on_lattice(random, 3)
-                    : on_lattice(random, kind == 3 ? 100 : 100'000);
+        : kind == 3 ? on_lattice(random, 100)
+        : kind == 4 ? on_lattice(random, 100'000)
+                    : random_point(random);
   }
+  const double s = random.uniform(-2, 2);
+  const double t = random.uniform(-2, 2);
+  if (kind == 5) scene[2] = displaced(combined(scene[0], scene[1], s, scene[0], 0), random);
+  if (kind == 6) scene[3] = displaced(combined(scene[0], scene[1], s, scene[2], t), random);
+  if (random.below(3) == 0) scene[4] = displaced(scene[random.below(4)], random);
   if (random.below(4) == 0) scene[4].x *= 1e6;
   const double scale = std::ldexp(1.0, static_cast<int>(random.below(250)) - 130);
   const double away = random.below(2) == 0 ? 0 : 1000;
