@@ -25,8 +25,8 @@
 // exponent. 2^-39 (R (|nx| + |ny| + |nz|) + 4 R^2) is enough for all. A sample must be 10^5 times
 // finer somewhere than it is large for such a bound to leave tests open; those come to a second
 // one, of N.d itself with its own |d|. (65,536 points whose scales span nine decades take a sixth
-// longer than with a bound of |d| in the first stage; a million of a torus, where a tenth of all
-// tests is open, a twentieth less.)
+// longer than with a bound of |d| in the first stage; a million of a torus, with 13 million tests
+// open, a twentieth less.)
 //
 // All coordinates are multiples of a unit g. Where the value does not decide, N.d is computed again
 // without the division: if the bound on the permanents is below 2^53 g^5, every intermediate result
