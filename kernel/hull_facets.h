@@ -51,12 +51,9 @@ struct FacetRoom {
   std::size_t size() const { return end - begin; }
 };
 
-/// What the insertion under way knows of a facet: bits, in a type that aliases no other.
-enum class Mark : std::uint8_t { kUnmet = 0, kMet = 1, kVisible = 3 };
-constexpr Mark operator|(Mark a, Mark b) {
-  return static_cast<Mark>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
-}
-
+/// What the insertion under way knows of a facet: a number that can be added up, in a type that
+/// aliases no other.
+enum class Mark : std::uint8_t { kUnmet = 0, kMet = 1 };
 /// A facet without its geometry.
 struct FacetLinks {
   std::array<Site, 4> corners;

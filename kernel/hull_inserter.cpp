@@ -153,6 +153,7 @@ bool Inserter::find_horizon(Site apex, FacetIndex seen) {
   const LiftedDifference lifted_apex = facets_.lifted(points_[apex]);
   visible_.room_for(1)[0] = seen;
   visible_.hold(1);
+  facets_.mark(seen) = Mark::kMet;
   for (std::size_t begin = 0; begin < visible_.size();) {
     const std::span<const FacetIndex> wave = visible_.held().subspan(begin);
     if (!own_.all() && !all_own(wave)) {
@@ -180,15 +181,12 @@ inline void Inserter::meet_neighbors(std::span<const FacetIndex> wave) {
   FacetIndex* const met = met_.room_for(4 * wave.size() + 4);
   std::size_t size = 0;
   for (const FacetIndex f : wave) {
-    facets_.mark(f) = Mark::kVisible;
     const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
     for (std::uint32_t i = 0; i < 4; ++i) {
       const FacetIndex g = facet_of(neighbors[i]);
       facets_.prefetch(g);
-      const Mark before = facets_.mark(g);
-      facets_.mark(g) = before | Mark::kMet;
       met[size] = g;
-      size += before == Mark::kUnmet;
+      size += std::exchange(facets_.mark(g), Mark::kMet) == Mark::kUnmet;
     }
   }
   met_.hold(size);
@@ -210,12 +208,13 @@ inline void Inserter::sort_met(Site apex, const LiftedDifference& lifted_apex) {
 
 /// The horizon: the ridges between a visible facet and a hidden one.
 inline void Inserter::cut_out() {
+  for (const FacetIndex f : visible_) facets_.mark(f) = Mark::kUnmet;
   Ridge* const cut = cut_.room_for(4 * visible_.size() + 1);
   std::size_t size = 0;
   for (const FacetIndex f : visible_) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       cut[size] = ridge(f, i);
-      size += facets_.mark(facet_of(facets_.neighbors(f)[i])) == Mark::kMet;
+      size += static_cast<std::size_t>(facets_.mark(facet_of(facets_.neighbors(f)[i])));
     }
   }
   cut_.hold(size);
@@ -228,7 +227,7 @@ void Inserter::collect_orphans(Slot apex) {
   conflicts_[apex].facet = kNone;
   for (Slot k = 0; k < batch_.size(); ++k) {
     const FacetIndex f = conflicts_[k].facet;
-    if (f != kNone && facets_.mark(f) == Mark::kVisible) orphans[size++] = k;
+    if (f != kNone && facets_.visible(f, batch_[apex])) orphans[size++] = k;
   }
   orphans_.hold(size);
 }
@@ -262,7 +261,6 @@ void Inserter::make_cone(Site apex) {
     __builtin_prefetch(&facets_[free_[free_.size() - 1 - k]], 1);
   }
   free_.insert(free_.end(), visible_.begin(), visible_.end());
-  for (const FacetIndex f : visible_) facets_.mark(f) = Mark::kUnmet;
   last_ = cone_[0].facet;
   if (facets_.on_sphere(apex)) {
     const auto infinite = [&](const ConeFacet& c) { return facets_.infinite(c.facet); };

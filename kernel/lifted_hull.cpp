@@ -12,24 +12,27 @@
 // point is ever discarded: all lifted points are extreme.
 //
 // What it brought, hull alone: one cache line per facet, hyperplane, corners and neighbours
-// together, instead of five 15 %; stacks without checks 7 %; rounds of seven times all before
-// instead of once 25 % (a round streams all facets through the cache); batches of 16 instead of
-// whole rounds 25 %, of 2 instead of 16 another 7 % (volumes and surfaces, 35,000 to a million
-// points; 2 % more on a torus); the visible region grown in waves, four facets at a time, no branch
-// on which are visible 12 %; looking only at those not met before, corners of the cone numbered
-// without a branch and spokes by four 5 %; hyperplanes by four 5 %; walks to the best of four
-// neighbours instead of the first that is better a fifth (a million points of a torus); no SLP
-// vectorizer (see cmake/targets.cmake) 14 %; buckets of the output sorted by counting 3 %; large
-// pages up to half, where small ones are dear (page faults and TLB misses); the output gathered
-// bucket by bucket and written once, where it was scattered, sorted and looked up again, 13 % of a
-// million points of a cube; facets written to only when they are used 6 %; the cone put up straight
-// from the ridges that are cut, numbers of corners in 32 bits, 5 %; neighbours of what is met
-// fetched ahead 6 to 11 % on a torus and 3 to 10 % at a million points (1 to 2 % lost where all is
-// in cache); points in large pages, too, 3 to 8 % at a million. Without gain: -march=native; the
-// waves in one function with vectors, fewer instructions but longer waits; corners numbered by a
-// hash table in the nearest cache instead of an array over all sites, or by the lesser of what is
-// known and the count, where each number waits for the one before (9 % slower); output by lists per
-// lowest corner, two passes less (half as slow again).
+// together, instead of five 15 %; stacks without checks 7 %, on cache lines of their own 4 %;
+// rounds of seven times all before instead of once 25 % (a round streams all facets through the
+// cache); batches of 16 instead of whole rounds 25 %, of 2 instead of 16 another 7 % (volumes and
+// surfaces, 35,000 to a million points; 2 % more on a torus); the visible region grown in waves,
+// four facets at a time, no branch on which are visible 12 %; looking only at those not met before,
+// corners of the cone numbered without a branch and spokes by four 5 %; hyperplanes by four 5 %;
+// walks to the best of four neighbours instead of the first that is better a fifth (a million
+// points of a torus); no SLP vectorizer (see cmake/targets.cmake) 14 %; hyperplanes that need no
+// corner for a test, see kernel/hull_facets, and marks in an array of their own 6 %, of a million
+// points 7 to 12 %; four tested facets sorted by a table of lanes, and asked for when they are met
+// instead of a wave earlier, 7 %; numbers of corners by one comparison each 4 %; large pages up to
+// half, where small ones are dear (page faults and TLB misses); the output gathered bucket by
+// bucket and written once, where it was scattered, sorted and looked up again, 13 % of a million
+// points of a cube; orders of four corners from a table 4 %, buckets sorted by counting 3 and 2 %;
+// facets written to only when they are used 6 %; the cone put up straight from the ridges that are
+// cut, numbers of corners in 32 bits, 5 %; points in large pages, too, 3 to 8 % at a million.
+// Without gain: -march=native; the waves in one function with vectors, fewer instructions but
+// longer waits; the cone in two loops or in tables at fixed distances; corners numbered by a hash
+// table in the nearest cache instead of an array over all sites, or by the lesser of what is known
+// and the count, where each number waits for the one before (9 % slower); output by lists per
+// lowest corner, two passes less (half as slow again). With -O2 instead of -O3 a fifth is lost.
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
 // thread inserts one. What would touch another's facets, 5 % of the points of a cube and 25 % of a
