@@ -17,7 +17,8 @@
 // is below -|d|^2 / 2, and its sign is right if 500 u pi / -Nw < 1, which makes the computed |n|
 // good to a seventh, too. So the bound is 500 u min(|n|^2, R^2) pi / -Nw, or more than any height
 // where that ratio is too large or Nw has the wrong sign or none. (pi comes from squares: their
-// product of degree 6 is exact where it is subnormal, see kernel/distinct_points.)
+// product of degree 6 is exact where it is subnormal, see kernel/distinct_points; an infinite
+// facet's may then be off by a sixth, of which it has ten times to spare.)
 //     For an infinite facet C is (0, 0, 0, R^2) and n, of the length 2^60 R |A x B| / (|A| |B|), is
 // off by 10 u 2^60 R: n.d by 36 2^60 u R^2, to which neither w nor p's lift, below R^2, add much.
 //     Moved to the middle, n becomes n + 2 p and the offset |p|^2 - (n + 2 p).p: some 20 roundings
@@ -71,9 +72,19 @@ Box box_of(std::span<const Point3> sites) {
   return box;
 }
 
-/// Half the diagonal, a little more.
-double radius_of(const Box& box) {
-  return std::sqrt(lifted_difference(box.high, box.low).w) * (0.5 + 0x1p-30);
+Point3 middle_of(const Box& box) {
+  const auto middle = [](double low, double high) { return low + (high - low) / 2; };
+  return {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y),
+          middle(box.low.z, box.high.z)};
+}
+
+/// From the middle to a corner of the box, a little more. The middle is rounded.
+double radius_of(const Box& box, const Point3& middle) {
+  const auto reach = [](double low, double high, double m) { return std::max(high - m, m - low); };
+  const double x = reach(box.low.x, box.high.x, middle.x);
+  const double y = reach(box.low.y, box.high.y, middle.y);
+  const double z = reach(box.low.z, box.high.z, middle.z);
+  return std::sqrt(x * x + y * y + z * z) * (1 + 0x1p-30);
 }
 
 /// A hyperplane through the first corner, not divided.
@@ -125,9 +136,8 @@ Facets::Facets(std::span<const Point3> sites, double unit) : Facets(sites, unit,
 
 Facets::Facets(std::span<const Point3> sites, double unit, const Box& box)
     : sites_(sites),
-      middle_{box.low.x + (box.high.x - box.low.x) / 2, box.low.y + (box.high.y - box.low.y) / 2,
-              box.low.z + (box.high.z - box.low.z) / 2},
-      radius_(radius_of(box)),
+      middle_(middle_of(box)),
+      radius_(radius_of(box, middle_)),
       error_terms_{radius_ * radius_, 0x1p-39 * radius_, 0x1p-37 * radius_ * radius_},
       per_unit_(1 / unit),
       exact_below_(16 * unit * unit * unit * unit * unit),
@@ -148,7 +158,7 @@ FacetRoom Facets::append(std::size_t count) {
     grow(std::max(least, 3 * facets_.capacity() / 2));
   }
   const std::size_t page_end = least / kRoom * kRoom + kRoom - 1;
-  const std::size_t end = std::min({std::max(least, page_end), facets_.capacity(), kMost});
+  const std::size_t end = std::min({page_end, facets_.capacity(), kMost});
   size_ = end;
   for (std::size_t f = begin; f < end; ++f) marks_[f] = Mark::kUnmet;
   return {static_cast<FacetIndex>(begin), static_cast<FacetIndex>(end)};

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,7 +16,7 @@
 #include "kernel/point.h"
 
 /// The store of the lifted hull while it grows: facets with their neighbours, hyperplanes and
-/// conflict sets. Internal to kernel/lifted_hull.
+/// marks. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
 /// A site is a vertex id, bare; a facet's index is stable while it lives.
@@ -99,6 +98,7 @@ class Facets {
   /// Leaves no facet here; gives away the memory of their hyperplanes. See LargeBlock::reduced_to.
   template <class Seen>
   LargeBlock<FacetLinks> take_links(int threads, Seen&& seen) {
+    marks_ = {};
     return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0), threads, seen);
   }
   /// If the sites are on a small lattice, and many on the sphere through these four, remembers

@@ -2,7 +2,6 @@
 // functions for AVX2 are told to use it, and only where has_four_lanes() are they called.
 #include "kernel/hull_lanes.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>

@@ -12,8 +12,7 @@ namespace tetsculpt::hull {
 /// The facets that live, which leave the store, as tetrahedra in canonical order: finite ones
 /// first, then by their corners in ascending order. Neighbours in space are then neighbours in
 /// memory, and it does not matter how the hull was made. `progress` is told a share from 0 to 1
-/// after each pass. Cost: four passes over the facets, shared by the threads, but for reading them
-/// in the second, which each does whole.
+/// after each pass. Cost: four passes over the facets, shared by the threads.
 LiftedHull output(Facets& facets, std::size_t site_count, int threads,
                   const std::function<void(double)>& progress);
 
