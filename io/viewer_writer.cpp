@@ -97,10 +97,8 @@ void write_numbers(AtomicFile& out, std::string_view id, std::span<const std::ui
 
 /// Turned to the first view, within the unit ball.
 void write_positions(AtomicFile& out, const ViewerScene& scene, const View& view) {
-  Box box;
-  for (const auto& points : {scene.points, scene.hidden}) {
-    for (const Point3& p : points) box.include(p);
-  }
+  Box box = box_of(scene.points);
+  box.include_all(box_of(scene.hidden));
   ArrayElement element(out, "positions");
   if (!box.empty) {
     const Turn turn(box, view);

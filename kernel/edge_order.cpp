@@ -37,7 +37,7 @@ std::vector<EdgeId> edges_by_length(std::span<const Point3> points, const TetCom
 
   // Below this all arithmetic on squared lengths is exact, because they are multiples of the
   // unit's.
-  constexpr int kMostBits = 48;  // few are so short in smaller units
+  constexpr int kMostBits = 48;  // of smaller units few lengths are below
   const std::optional<int> unit = unit_exponent(points, kMostBits);
   const double exact_below = unit ? std::ldexp(1.0, 53 + 2 * *unit) : 0;
   const auto shorter = [&](const KeyedIndex& p, const KeyedIndex& q) {

@@ -111,20 +111,6 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
   return index;
 }
 
-Box box_of(std::span<const Point3> points, int threads) {
-  const auto box_of_range = [&](std::size_t begin, std::size_t end) {
-    Box part;
-    for (std::size_t i = begin; i < end; ++i) part.include(points[i]);
-    return part;
-  };
-  Box box;
-  for (const Box& part : parallel_results(range_cuts(points.size(), threads), box_of_range)) {
-    box.include(part.low);
-    box.include(part.high);
-  }
-  return box;
-}
-
 /// Maps points to cells of a cube around all of them.
 class Cells {
  public:

@@ -57,19 +57,15 @@ namespace {
 constexpr double kUnit = DBL_EPSILON / 2;
 /// Twice as many as samples of a surface or a volume have: what is not used is only an address.
 constexpr std::size_t kExpectedPerSite = 16;
-/// Facets are appended up to the end of a large page (kernel/large_array): two threads that use one
-/// for the first time at once would both clear it.
-constexpr std::size_t kRoom = (std::size_t{2} << 20) / sizeof(Facet);
+/// Facets are appended up to the end of a large page: two threads that use one for the first time
+/// at once would both clear it.
+constexpr std::size_t kPerPage = kLargePageBytes / sizeof(Facet);
+constexpr std::size_t kFirstInPage = kLargeArrayOffset / sizeof(Facet);  // the first facet's place
+static_assert(kFirstInPage * sizeof(Facet) == kLargeArrayOffset);
 
 /// |x| + |y| + |z|.
 double l1_norm(const LiftedDifference& d) {
   return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
-}
-
-Box box_of(std::span<const Point3> sites) {
-  Box box;
-  for (const Point3& p : sites) box.include(p);
-  return box;
 }
 
 Point3 middle_of(const Box& box) {
@@ -157,7 +153,7 @@ FacetRoom Facets::append(std::size_t count) {
     if (shared_) return {};
     grow(std::max(least, 3 * facets_.capacity() / 2));
   }
-  const std::size_t page_end = least / kRoom * kRoom + kRoom - 1;
+  const std::size_t page_end = ((least + kFirstInPage) / kPerPage + 1) * kPerPage - kFirstInPage;
   const std::size_t end = std::min({page_end, facets_.capacity(), kMost});
   size_ = end;
   for (std::size_t f = begin; f < end; ++f) marks_[f] = Mark::kUnmet;

@@ -53,6 +53,7 @@ struct FacetRoom {
 /// What the insertion under way knows of a facet: a number that can be added up, in a type that
 /// aliases no other.
 enum class Mark : std::uint8_t { kUnmet = 0, kMet = 1 };
+
 /// A facet without its geometry.
 struct FacetLinks {
   std::array<Site, 4> corners;
@@ -73,7 +74,7 @@ struct alignas(64) Facet {
   double offset;  ///< its last twelve bits are the exponent of error()
   FacetLinks links;
 
-  /// No height of any site is wrong by more: a power of two.
+  /// A site's height has the right sign if it is more than this: a power of two.
   double error() const { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(offset) << 52); }
 };
 static_assert(sizeof(Facet) == 64);
@@ -152,15 +153,15 @@ class Facets {
   };
   const ErrorTerms& error_terms() const { return error_terms_; }
 
-  /// The hyperplane's value at q, and by how much it may be wrong.
+  /// The hyperplane's value at q, and the error() of it.
   struct Height {
     double value;
     double error;
   };
   Height height(FacetIndex f, const LiftedDifference& q) const;
   /// Whether q is on the visible side of f: exact, ties by kernel/perturbation.
-  bool visible(FacetIndex f, Site q) const { return visible(f, q, height(f, lifted(sites_[q]))); }
-  bool visible(FacetIndex f, Site q, Height h) const {
+  bool visible(FacetIndex f, Site q) const {
+    const Height h = height(f, lifted(sites_[q]));
     return h.value > h.error || (!(h.value < -h.error) && decide(f, q));
   }
   /// The same where the height is not clear.

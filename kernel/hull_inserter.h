@@ -105,6 +105,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   };
 
   bool own(FacetIndex f) const;
+  /// Out of line: within the waves it would cost one thread 4 %, which has no need of it.
   [[gnu::noinline]] bool all_own(std::span<const FacetIndex> facets) const;
   bool at_site(FacetIndex f, Site s) const;
   bool insert_farthest(FacetIndex seen);
@@ -120,6 +121,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   void set_geometry(Site apex, std::size_t corner_count);
   void reassign_conflicts();
 
+  // See hull_locate.cpp.
   FacetIndex locate(Site q) const;
   FacetIndex walk(Site q, FacetIndex f) const;
   FacetIndex walk_on_hull(Site q, FacetIndex f) const;

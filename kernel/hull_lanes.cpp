@@ -37,8 +37,8 @@ constexpr auto kFirst = [] {
   return table;
 }();
 
-/// Spokes, a component in each vector.
-struct FourSpokes {
+/// Four rows of four doubles, a component in each vector.
+struct FourRows {
   Four x, y, z, w;
 };
 
@@ -82,12 +82,18 @@ TETSCULPT_FOUR_LANES inline void load_two(const T& a, const T& b, const T& c, co
   second = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
 }
 
-/// The first four components.
+/// What four objects begin with.
 template <class T>
-TETSCULPT_FOUR_LANES inline void load(const T& a, const T& b, const T& c, const T& d, Four& x,
-                                      Four& y, Four& z, Four& w) {
-  load_two<0>(a, b, c, d, x, y);
-  load_two<2>(a, b, c, d, z, w);
+TETSCULPT_FOUR_LANES inline FourRows rows(const T& a, const T& b, const T& c, const T& d) {
+  FourRows result;
+  load_two<0>(a, b, c, d, result.x, result.y);
+  load_two<2>(a, b, c, d, result.z, result.w);
+  return result;
+}
+
+/// The same row four times.
+TETSCULPT_FOUR_LANES inline FourRows four_times(const LiftedDifference& q) {
+  return {q.x - Four{}, q.y - Four{}, q.z - Four{}, q.w - Four{}};
 }
 
 TETSCULPT_FOUR_LANES inline Four magnitude(const Four& a) {
@@ -120,13 +126,6 @@ TETSCULPT_FOUR_LANES inline unsigned pattern(const Comparison& lanes) {
   return negative(reinterpret_cast<Four>(lanes));
 }
 
-/// A point, lifted from the middle of the set, in every lane.
-struct FourQueries {
-  Four x, y, z, w;
-  TETSCULPT_FOUR_LANES explicit FourQueries(const LiftedDifference& q)
-      : x(q.x - Four{}), y(q.y - Four{}), z(q.z - Four{}), w(q.w - Four{}) {}
-};
-
 /// Those of four indices that are in a set of lanes, to the end of a list.
 TETSCULPT_FOUR_LANES inline void append(const FacetIndex* four, unsigned lanes, FacetIndex* list,
                                         std::size_t& size) {
@@ -145,31 +144,25 @@ TETSCULPT_FOUR_LANES inline void append(const FacetIndex* four, unsigned lanes, 
 
 /// Facets::height, of four facets.
 TETSCULPT_FOUR_LANES inline void four_heights(const Facets& facets, FacetIndex a, FacetIndex b,
-                                              FacetIndex c, FacetIndex d, const FourQueries& q,
+                                              FacetIndex c, FacetIndex d, const FourRows& q,
                                               Four& value, Four& error) {
-  Four nx;
-  Four ny;
-  Four nz;
-  Four offset;
-  load(facets[a], facets[b], facets[c], facets[d], nx, ny, nz, offset);
-  value = nx * q.x + ny * q.y + nz * q.z + (offset - q.w);
-  error = reinterpret_cast<Four>(reinterpret_cast<FourBits>(offset) << 52);
+  const FourRows n = rows(facets[a], facets[b], facets[c], facets[d]);  // w: the offset
+  value = n.x * q.x + n.y * q.y + n.z * q.z + (n.w - q.w);
+  error = reinterpret_cast<Four>(reinterpret_cast<FourBits>(n.w) << 52);
 }
 
 /// From the apex to one of the corners of four facets.
 template <std::size_t kCorner>
-TETSCULPT_FOUR_LANES inline FourSpokes spokes_to_corner(const ConeFacet* four,
-                                                        std::span<const Spoke> spokes) {
-  FourSpokes to;
-  load(spokes[four[0].numbers[kCorner]], spokes[four[1].numbers[kCorner]],
-       spokes[four[2].numbers[kCorner]], spokes[four[3].numbers[kCorner]], to.x, to.y, to.z, to.w);
-  return to;
+TETSCULPT_FOUR_LANES inline FourRows spokes_to_corner(const ConeFacet* four,
+                                                      std::span<const Spoke> spokes) {
+  return rows(spokes[four[0].numbers[kCorner]], spokes[four[1].numbers[kCorner]],
+              spokes[four[2].numbers[kCorner]], spokes[four[3].numbers[kCorner]]);
 }
 
 /// Facets::set_hyperplane, of four facets.
 TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<FacetIndex, 4>& f,
-                                          const LiftedDifference& apex, const FourSpokes& a,
-                                          const FourSpokes& b, const FourSpokes& c) {
+                                          const LiftedDifference& apex, const FourRows& a,
+                                          const FourRows& b, const FourRows& c) {
   const Four xy = a.x * b.y - a.y * b.x;
   const Four yz = a.y * b.z - a.z * b.y;
   const Four zx = a.z * b.x - a.x * b.z;
@@ -236,7 +229,7 @@ TETSCULPT_FOUR_LANES Counts sort_by_view_by_four(const Facets& facets,
                                                  const LiftedDifference& q, FacetIndex* visible,
                                                  FacetIndex* unclear) {
   Counts counts{};
-  const FourQueries queries(q);
+  const FourRows queries = four_times(q);
   unsigned sees = 0;
   unsigned open = 0;
   for (std::size_t k = 0; k < list.size(); k += 4) {
@@ -272,7 +265,7 @@ TETSCULPT_FOUR_LANES NeighborHeights neighbor_heights_by_four(const Facets& face
   Four error;
   const auto& ridges = facets.neighbors(f);
   four_heights(facets, facet_of(ridges[0]), facet_of(ridges[1]), facet_of(ridges[2]),
-               facet_of(ridges[3]), FourQueries(q), value, error);
+               facet_of(ridges[3]), four_times(q), value, error);
   NeighborHeights heights;
   std::memcpy(&heights.value, &value, sizeof value);
   heights.visible = pattern(value > error);

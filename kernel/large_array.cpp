@@ -18,9 +18,9 @@
 namespace tetsculpt {
 namespace {
 
-constexpr std::size_t kPage = std::size_t{2} << 20;
+constexpr std::size_t kPage = kLargePageBytes;
 /// In front of every array: the size of its block, and room to keep the array's alignment.
-constexpr std::size_t kHeader = 64;
+constexpr std::size_t kHeader = kLargeArrayOffset;
 [[maybe_unused]] constexpr std::align_val_t kAlignment{kHeader};
 
 /// Only a place to keep memory, of this thread alone.

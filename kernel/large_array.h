@@ -26,6 +26,10 @@ class LargeArrayReuse {
   friend void free_large(void* memory) noexcept;
 };
 
+/// The size of a large page.
+inline constexpr std::size_t kLargePageBytes = std::size_t{2} << 20;
+/// How far behind a page's beginning large memory begins, where there are large pages.
+inline constexpr std::size_t kLargeArrayOffset = 64;
 /// Memory for at least `bytes` bytes, in large pages where the system has them. Throws
 /// std::bad_alloc.
 void* allocate_large(std::size_t bytes);

@@ -16,6 +16,7 @@ foreach(
   double_double_test
   predicates_symmetry_test
   hull_facets_height_test
+  hull_four_lanes_test
   hull_lanes_test
   hull_room_test
   hull_sphere_test

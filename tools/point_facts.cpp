@@ -79,7 +79,7 @@ PointFacts point_facts(const PointFile& file, const std::filesystem::path& name,
   facts.invalid = invalid;
   facts.distinct = distinct.points.size();
   facts.span = static_cast<Span>(first_simplex(distinct.points).size);
-  for (const Point3& p : file.points) facts.box.include(p);
+  facts.box = box_of(file.points);
   for (const Attribute& attribute : file.attributes) {
     facts.attributes.emplace_back(attribute.name, kTypes[attribute.values.index()]);
   }
