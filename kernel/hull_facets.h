@@ -99,7 +99,7 @@ class Facets {
   /// Leaves no facet here; gives away the memory of their hyperplanes. See LargeBlock::reduced_to.
   template <class Seen>
   LargeBlock<FacetLinks> take_links(int threads, Seen&& seen) {
-    marks_ = {};
+    marks_ = LargeBlock<Mark>();  // for `= {}` in a template, clang 14 makes no destructor
     return std::move(facets_).reduced_to(&Facet::links, std::exchange(size_, 0), threads, seen);
   }
   /// If the sites are on a small lattice, and many on the sphere through these four, remembers
