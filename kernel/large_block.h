@@ -43,6 +43,9 @@ class LargeBlock {
   }
 
   std::size_t capacity() const { return capacity_; }
+  /// Null if there is no room.
+  T* data() { return data_; }
+  const T* data() const { return data_; }
   T& operator[](std::size_t k) { return data_[k]; }
   const T& operator[](std::size_t k) const { return data_[k]; }
 
@@ -51,6 +54,13 @@ class LargeBlock {
     LargeBlock larger(capacity);
     if (used > 0) std::memcpy(larger.data_, data_, used * sizeof(T));
     *this = std::move(larger);
+  }
+
+  /// Those of [begin, end) are used next, for the first time.
+  void touch(std::size_t begin, std::size_t end) {
+    auto* const bytes = reinterpret_cast<std::byte*>(data_);
+    if (!large_) return;
+    touch_large(bytes + begin * sizeof(T), bytes + end * sizeof(T), bytes + capacity_ * sizeof(T));
   }
 
   /// Of the first `count` elements one member, one behind the other in the same memory; lets go of

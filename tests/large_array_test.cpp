@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "kernel/large_block.h"
+
 namespace tetsculpt {
 namespace {
 
@@ -51,6 +53,21 @@ TEST_CASE("arrays may outlive the scope, be freed in another, and on another thr
   const LargeArrayReuse later;
   survivor = LargeArray<std::uint32_t>();
   CHECK(LargeArray<std::uint32_t>(kLarge, 4).back() == 4);
+}
+
+TEST_CASE("what is touched ahead of use leaves what is there before") {
+  for (const std::size_t size : {std::size_t{100}, 10 * kLarge, 10 * kLarge + 12'345}) {
+    LargeBlock<std::uint32_t> block(size);
+    std::size_t used = 0;
+    for (const std::size_t next : {size / 100, size / 7, size / 2, size}) {
+      block.touch(used, next);
+      for (; used < next; ++used) block[used] = static_cast<std::uint32_t>(used);
+    }
+    block.touch(size, size);
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < size; ++k) wrong += block[k] != k;
+    CHECK(wrong == 0);
+  }
 }
 
 }  // namespace
