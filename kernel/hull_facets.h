@@ -50,9 +50,9 @@ struct FacetRoom {
   std::size_t size() const { return end - begin; }
 };
 
-/// What the insertion under way knows of a facet: a number that can be added up, in a type that
-/// aliases no other.
-enum class Mark : std::uint8_t { kUnmet = 0, kMet = 1 };
+/// What an insertion under way finds a listed facet to be at first sight; what is unclear may be
+/// decided later. Of a type that aliases no other.
+enum class Mark : std::uint8_t { kUnmet = 0, kVisible = 1, kUnclear = 16 };
 
 /// A facet without its geometry.
 struct FacetLinks {
@@ -94,6 +94,8 @@ class Facets {
   /// At least so many new facets, of which nothing is set. While shared, facets may not move in
   /// memory: none if they would have to.
   FacetRoom append(std::size_t count);
+  /// Must come after append(), and may come while others append.
+  void touch(const FacetRoom& appended) { facets_.touch(appended.begin, appended.end); }
   /// Takes back what was appended and never used.
   void give_back(std::vector<FacetRoom> rooms);
   /// Leaves no facet here; gives away the memory of their hyperplanes. See LargeBlock::reduced_to.

@@ -10,20 +10,12 @@
 #include <cstring>
 #include <limits>
 
-#if defined(__x86_64__)
-#include <immintrin.h>
-#define TETSCULPT_FOUR_LANES [[gnu::target("avx2,popcnt")]]
-#else
-#define TETSCULPT_FOUR_LANES
-#endif
+#include "kernel/hull_region.h"
 
 namespace tetsculpt::hull {
 namespace {
 
-using Four = double __attribute__((vector_size(32)));
 using Two = double __attribute__((vector_size(16)));
-using FourLongs = std::int64_t __attribute__((vector_size(32)));
-using FourBits = std::uint64_t __attribute__((vector_size(32)));
 
 /// Per set of lanes, a bit each: their numbers, ahead of the others'.
 constexpr auto kFirst = [] {
@@ -91,9 +83,10 @@ TETSCULPT_FOUR_LANES inline FourRows rows(const T& a, const T& b, const T& c, co
   return result;
 }
 
-/// The same row four times.
+/// The same number, or the same row, four times.
+TETSCULPT_FOUR_LANES inline Four four_times(double number) { return number - Four{}; }
 TETSCULPT_FOUR_LANES inline FourRows four_times(const LiftedDifference& q) {
-  return {q.x - Four{}, q.y - Four{}, q.z - Four{}, q.w - Four{}};
+  return {four_times(q.x), four_times(q.y), four_times(q.z), four_times(q.w)};
 }
 
 TETSCULPT_FOUR_LANES inline Four magnitude(const Four& a) {
@@ -109,47 +102,55 @@ TETSCULPT_FOUR_LANES inline Four root(const Four& a) {
 #endif
 }
 
-/// A bit per lane that is negative.
-TETSCULPT_FOUR_LANES inline unsigned negative(const Four& lanes) {
+/// a b + c, rounded once where the processor can.
+TETSCULPT_FOUR_LANES inline Four fused(const Four& a, const Four& b, const Four& c) {
 #if defined(__x86_64__)
-  return static_cast<unsigned>(_mm256_movemask_pd(lanes));
+  return _mm256_fmadd_pd(a, b, c);
 #else
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 4; ++i) bits |= unsigned{std::signbit(lanes[i])} << i;
-  return bits;
+  return a * b + c;
+#endif
+}
+
+/// a b - c d.
+TETSCULPT_FOUR_LANES inline Four minor(const Four& a, const Four& b, const Four& c, const Four& d) {
+#if defined(__x86_64__)
+  return _mm256_fmsub_pd(a, b, c * d);
+#else
+  return a * b - c * d;
 #endif
 }
 
 /// A bit per lane that holds: of a comparison.
 template <class Comparison>
 TETSCULPT_FOUR_LANES inline unsigned pattern(const Comparison& lanes) {
-  return negative(reinterpret_cast<Four>(lanes));
+  return first_bits(reinterpret_cast<Four>(lanes));
 }
 
-/// Those of four indices that are in a set of lanes, to the end of a list.
-TETSCULPT_FOUR_LANES inline void append(const FacetIndex* four, unsigned lanes, FacetIndex* list,
+/// Those of four ridges that are in a set of lanes, to the end of a list.
+TETSCULPT_FOUR_LANES inline void append(const FourIndices& four, unsigned lanes, Ridge* list,
                                         std::size_t& size) {
-#if defined(__x86_64__)
-  __m128 indices;
-  __m128i order;
-  std::memcpy(&indices, four, sizeof indices);
-  std::memcpy(&order, &kFirst[lanes], sizeof order);
-  indices = _mm_permutevar_ps(indices, order);
-  std::memcpy(list + size, &indices, sizeof indices);
-#else
-  for (std::size_t i = 0; i < 4; ++i) list[size + i] = four[kFirst[lanes][i]];
-#endif
+  const FourIndices ordered = in_order(four, kFirst[lanes]);
+  std::memcpy(list + size, &ordered, sizeof ordered);
   size += static_cast<std::size_t>(std::popcount(lanes));
 }
 
 /// Facets::height, of four facets.
-TETSCULPT_FOUR_LANES inline void four_heights(const Facets& facets, FacetIndex a, FacetIndex b,
-                                              FacetIndex c, FacetIndex d, const FourRows& q,
-                                              Four& value, Four& error) {
-  const FourRows n = rows(facets[a], facets[b], facets[c], facets[d]);  // w: the offset
-  value = n.x * q.x + n.y * q.y + n.z * q.z + (n.w - q.w);
+TETSCULPT_FOUR_LANES inline void four_heights(const Facet& a, const Facet& b, const Facet& c,
+                                              const Facet& d, const FourRows& q, Four& value,
+                                              Four& error) {
+  const FourRows n = rows(a, b, c, d);  // w: the offset
+  value = fused(n.x, q.x, fused(n.y, q.y, fused(n.z, q.z, n.w - q.w)));
   error = reinterpret_cast<Four>(reinterpret_cast<FourBits>(n.w) << 52);
 }
+
+/// Per set of lanes, a byte each: 1 if it is in the set.
+constexpr auto kBytes = [] {
+  std::array<std::uint32_t, 16> table{};
+  for (std::uint32_t lanes = 0; lanes < 16; ++lanes) {
+    for (std::uint32_t i = 0; i < 4; ++i) table[lanes] |= (lanes >> i & 1) << 8 * i;
+  }
+  return table;
+}();
 
 /// From the apex to one of the corners of four facets.
 template <std::size_t kCorner>
@@ -163,33 +164,39 @@ TETSCULPT_FOUR_LANES inline FourRows spokes_to_corner(const ConeFacet* four,
 TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<FacetIndex, 4>& f,
                                           const LiftedDifference& apex, const FourRows& a,
                                           const FourRows& b, const FourRows& c) {
-  const Four xy = a.x * b.y - a.y * b.x;
-  const Four yz = a.y * b.z - a.z * b.y;
-  const Four zx = a.z * b.x - a.x * b.z;
-  const Four xw = a.x * b.w - a.w * b.x;
-  const Four yw = a.y * b.w - a.w * b.y;
-  const Four zw = a.z * b.w - a.w * b.z;
-  const Four w = xy * c.z + yz * c.x + zx * c.y;
+  const Four xy = minor(a.x, b.y, a.y, b.x);
+  const Four yz = minor(a.y, b.z, a.z, b.y);
+  const Four zx = minor(a.z, b.x, a.x, b.z);
+  const Four xw = minor(a.x, b.w, a.w, b.x);
+  const Four yw = minor(a.y, b.w, a.w, b.y);
+  const Four zw = minor(a.z, b.w, a.w, b.z);
+  const Four w = fused(xy, c.z, fused(yz, c.x, zx * c.y));
   const Four size = root(a.w * b.w * c.w);
   const auto infinite = (c.x == 0) & (c.y == 0) & (c.z == 0);
-  Four scale = -1 / w;
-  if (pattern(infinite) != 0) scale = infinite ? Facets::kInfiniteNormal / size : scale;
+  const bool any_infinite = pattern(infinite) != 0;
+  Four scale = 1 / w;
+  if (any_infinite) scale = infinite ? -Facets::kInfiniteNormal / size : scale;
   const Facets::ErrorTerms& terms = facets.error_terms();
-  const Four growth = Facets::ErrorTerms::kGrowth * (scale * size);
-  const auto useful = infinite | ((w < 0) & (growth < 1));
+  const Four limit = four_times(terms.square);
+  const Four growth = -Facets::ErrorTerms::kGrowth * (scale * size);
+  auto useful = (w < 0) & (growth < 1);
+  if (any_infinite) useful |= infinite;
   scale = useful ? scale : Four{};
-  Four nx = scale * -(yz * c.w - yw * c.z + zw * c.y);
-  Four ny = scale * -(zx * c.w - zw * c.x + xw * c.z);
-  Four nz = scale * -(xy * c.w - xw * c.y + yw * c.x);
-  Four square = nx * nx + ny * ny + nz * nz;
-  square = (square < terms.square) & ~infinite ? square : terms.square - Four{};
+  Four nx = scale * fused(yz, c.w, minor(zw, c.y, yw, c.z));
+  Four ny = scale * fused(zx, c.w, minor(xw, c.z, zw, c.x));
+  Four nz = scale * fused(xy, c.w, minor(yw, c.x, xw, c.y));
+  Four square = fused(nx, nx, fused(ny, ny, nz * nz));
+  square = square < limit ? square : limit;
+  if (any_infinite) square = infinite ? limit : square;
   nx = nx + 2 * apex.x;
   ny = ny + 2 * apex.y;
   nz = nz + 2 * apex.z;
-  Four offset = apex.w - (nx * apex.x + ny * apex.y + nz * apex.z);
+  const FourRows p = four_times(apex);
+  Four offset = fused(-p.x, nx, fused(-p.y, ny, fused(-p.z, nz, p.w)));
   const Four l1_norm = magnitude(nx) + magnitude(ny) + magnitude(nz);
-  const Four local = useful ? growth * square : Facets::ErrorTerms::kUseless - Four{};
-  const Four error = local + (terms.linear * l1_norm + terms.constant);
+  const Four rounded = fused(four_times(terms.linear), l1_norm, four_times(terms.constant));
+  Four error = fused(growth, square, rounded);
+  error = useful ? error : four_times(Facets::ErrorTerms::kUseless);
   const FourBits exponent = (reinterpret_cast<FourBits>(error) >> 52) + 1;
   offset = reinterpret_cast<Four>((reinterpret_cast<FourBits>(offset) & ~std::uint64_t{0xfff}) |
                                   exponent);
@@ -204,49 +211,98 @@ TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<Facet
 
 bool has_four_lanes() {
 #if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("popcnt") != 0;
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("popcnt") != 0;
 #else
   return false;
 #endif
 }
 
-Counts sort_by_view(const Facets& facets, std::span<const FacetIndex> list,
-                    const LiftedDifference& q, FacetIndex* visible, FacetIndex* unclear) {
-  Counts counts{};
-  for (const FacetIndex f : list) {
-    const Facets::Height h = facets.height(f, q);
-    const bool sees = h.value > h.error;
-    visible[counts.visible] = f;
-    counts.visible += sees;
-    unclear[counts.unclear] = f;
-    counts.unclear += !sees && !(h.value < -h.error);
+bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
+            Region& region) {
+  std::size_t visible_size = region.visible.size();
+  std::size_t unclear_size = region.unclear.size();
+  std::size_t cut_size = region.cut.size();
+  for (std::size_t k = begin; k < visible_size; ++k) {
+    region.visible.hold(visible_size);
+    const FacetIndex f = facet_of(region.visible[k]);
+    if (!own.contains(facets.corners(f))) return false;
+    Ridge* const visible = region.visible.room_for(visible_size + 4);
+    Ridge* const unclear = region.unclear.room_for(unclear_size + 4);
+    Ridge* const cut = region.cut.room_for(cut_size + 4);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const Ridge r = facets.neighbors(f)[i];
+      const Facets::Height h = facets.height(facet_of(r), point);
+      Mark& mark = facets.mark(facet_of(r));
+      if (h.value < -h.error) {
+        cut[cut_size++] = ridge(f, i);
+      } else if (mark == Mark::kUnmet) {
+        const bool sees = h.value > h.error;
+        mark = sees ? Mark::kVisible : Mark::kUnclear;
+        (sees ? visible[visible_size++] : unclear[unclear_size++]) = r;
+      }
+    }
+    region.unclear.hold(unclear_size);
   }
-  return counts;
+  region.cut.hold(cut_size);
+  return true;
 }
 
-TETSCULPT_FOUR_LANES Counts sort_by_view_by_four(const Facets& facets,
-                                                 std::span<const FacetIndex> list,
-                                                 const LiftedDifference& q, FacetIndex* visible,
-                                                 FacetIndex* unclear) {
-  Counts counts{};
-  const FourRows queries = four_times(q);
-  unsigned sees = 0;
-  unsigned open = 0;
-  for (std::size_t k = 0; k < list.size(); k += 4) {
-    const FacetIndex* const four = &list[k];
-    Four value;
-    Four error;
-    four_heights(facets, four[0], four[1], four[2], four[3], queries, value, error);
-    open = 15 & ~pattern(magnitude(value) > error);
-    sees = 15 & ~(open | negative(value));
-    append(four, sees, visible, counts.visible);
-    if (open != 0) [[unlikely]]
-      append(four, open, unclear, counts.unclear);
+TETSCULPT_FOUR_LANES bool expand_by_four(Facets& facets, const LiftedDifference& point,
+                                         const SiteRange& own, std::size_t begin, Region& region) {
+  const FourRows queries = four_times(point);
+  const bool all_own = own.all();
+  const auto number = [](Mark mark) { return static_cast<unsigned>(mark); };
+  Mark* const marks = &facets.mark(0);
+  const Facet* const facet = &facets[0];
+  std::size_t visible_size = region.visible.size();
+  std::size_t unclear_size = region.unclear.size();
+  std::size_t cut_size = region.cut.size();
+  for (std::size_t k = begin; k < visible_size;) {
+    const std::size_t most = 2 * visible_size + 64;
+    Ridge* const visible = region.visible.room_for(most + 4);
+    Ridge* const unclear = region.unclear.room_for(unclear_size + 4 * (most - k) + 4);
+    Ridge* const cut = region.cut.room_for(cut_size + 4 * (most - k) + 4);
+    for (; k < visible_size && visible_size <= most; ++k) {
+      const FacetIndex f = facet_of(visible[k]);
+      const FacetLinks& links = facet[f].links;
+      if (!all_own && !own.contains(links.corners)) {
+        region.visible.hold(visible_size);
+        region.unclear.hold(unclear_size);
+        return false;
+      }
+      const auto& [a, b, c, d] = links.neighbors;
+      Four value;
+      Four error;
+      four_heights(facet[facet_of(a)], facet[facet_of(b)], facet[facet_of(c)], facet[facet_of(d)],
+                   queries, value, error);
+      Mark& mark_a = marks[facet_of(a)];
+      Mark& mark_b = marks[facet_of(b)];
+      Mark& mark_c = marks[facet_of(c)];
+      Mark& mark_d = marks[facet_of(d)];
+      const unsigned known =
+          number(mark_a) + 2 * number(mark_b) + 4 * (number(mark_c) + 2 * number(mark_d));
+      const FourIndices met = four_of(links.neighbors.data());
+      const unsigned clear = pattern(magnitude(value) > error);
+      const unsigned hidden = clear & first_bits(value);
+      const unsigned sees = clear ^ hidden;
+      std::uint32_t bytes = kBytes[sees];
+      if (clear != 15) [[unlikely]] {
+        append(met, 15 & ~(clear | known >> 4 | known), unclear, unclear_size);
+        bytes |= kBytes[15 ^ clear] << 4;
+      }
+      mark_a = static_cast<Mark>(bytes & 255);
+      mark_b = static_cast<Mark>(bytes >> 8 & 255);
+      mark_c = static_cast<Mark>(bytes >> 16 & 255);
+      mark_d = static_cast<Mark>(bytes >> 24);
+      append(met, sees & ~known, visible, visible_size);
+      append((visible[k] & ~Ridge{3}) + FourIndices{0, 1, 2, 3}, hidden, cut, cut_size);
+    }
   }
-  const unsigned after_end = 15u << ((list.size() - 1) % 4 + 1);
-  counts.visible -= static_cast<std::size_t>(std::popcount(sees & after_end));
-  counts.unclear -= static_cast<std::size_t>(std::popcount(open & after_end));
-  return counts;
+  region.visible.hold(visible_size);
+  region.unclear.hold(unclear_size);
+  region.cut.hold(cut_size);
+  return true;
 }
 
 NeighborHeights neighbor_heights(const Facets& facets, FacetIndex f, const LiftedDifference& q) {
@@ -264,8 +320,9 @@ TETSCULPT_FOUR_LANES NeighborHeights neighbor_heights_by_four(const Facets& face
   Four value;
   Four error;
   const auto& ridges = facets.neighbors(f);
-  four_heights(facets, facet_of(ridges[0]), facet_of(ridges[1]), facet_of(ridges[2]),
-               facet_of(ridges[3]), four_times(q), value, error);
+  four_heights(facets[facet_of(ridges[0])], facets[facet_of(ridges[1])],
+               facets[facet_of(ridges[2])], facets[facet_of(ridges[3])], four_times(q), value,
+               error);
   NeighborHeights heights;
   std::memcpy(&heights.value, &value, sizeof value);
   heights.visible = pattern(value > error);

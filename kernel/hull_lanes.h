@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <span>
 
+#include "kernel/four_lanes.h"
 #include "kernel/hull_facets.h"
+#include "kernel/hull_region.h"
 #include "kernel/point.h"
 
 /// What an insertion computes for many facets: four at a time where the processor has AVX2, one
@@ -12,22 +14,15 @@
 /// hull. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
-/// Whether this build and this processor can take four at a time.
-bool has_four_lanes();
-
-/// How many facets a point sees clearly, and of how many that is left to Facets::decide.
-struct Counts {
-  std::size_t visible;
-  std::size_t unclear;
-};
-
-/// Lists those of some facets that a point, lifted from the middle, sees, and those that are
-/// unclear. Each list must have room for all and three more.
-Counts sort_by_view(const Facets& facets, std::span<const FacetIndex> list,
-                    const LiftedDifference& q, FacetIndex* visible, FacetIndex* unclear);
-/// Reads up to three entries after the end of the list: indices of facets.
-Counts sort_by_view_by_four(const Facets& facets, std::span<const FacetIndex> list,
-                            const LiftedDifference& q, FacetIndex* visible, FacetIndex* unclear);
+/// Looks around the visible facets of a region from `begin` on, and those that they add: the
+/// neighbours that a point, lifted from the middle, sees clearly become visible, unclear ones are
+/// listed, both once; ridges to those that are clearly hidden are cut. Marks what is visible or
+/// unclear. False, and an unfinished region, at a facet that is not within the range.
+bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
+            Region& region);
+/// A facet is tested once from each visible neighbour, which takes less than to keep track.
+bool expand_by_four(Facets& facets, const LiftedDifference& point, const SiteRange& own,
+                    std::size_t begin, Region& region);
 
 /// Facets::height of a point above a facet's four neighbours.
 struct NeighborHeights {

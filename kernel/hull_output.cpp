@@ -2,60 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "kernel/hull_bucket.h"
 #include "kernel/large_array.h"
 #include "kernel/large_block.h"
 #include "kernel/parallel.h"
-#include "kernel/radix_sort.h"
 
 namespace tetsculpt::hull {
 namespace {
 
-using Corners = std::array<VertexId, 4>;
-
-/// How four corners are put in ascending order, infinity last; the last two change places if that
-/// keeps the orientation.
-struct Order {
-  std::array<std::uint8_t, 4> corner_at{};  ///< per place
-  std::array<std::uint32_t, 4> place_of{};  ///< per corner
-};
-
-/// Six bits: of corners 1 0, 2 0, 3 0, 2 1, 3 1 and 3 2, whether the first is less.
-using Comparisons = std::uint8_t;
-
-constexpr Comparisons compare(const std::array<Site, 4>& c) {
-  std::uint32_t bits = c[1] < c[0];
-  bits += bits + (c[2] < c[0]);
-  bits += bits + (c[3] < c[0]);
-  bits += bits + (c[2] < c[1]);
-  bits += bits + (c[3] < c[1]);
-  bits += bits + (c[3] < c[2]);
-  return static_cast<Comparisons>(bits);
-}
-
-constexpr auto kOrders = [] {
-  std::array<Order, 64> orders{};
-  std::array<Site, 4> rank{0, 1, 2, 3};
-  do {
-    const Comparisons bits = compare(rank);
-    const auto odd = static_cast<std::uint32_t>(std::popcount(bits)) & 1;
-    for (std::uint8_t i = 0; i < 4; ++i) {
-      const std::uint32_t place = rank[i] ^ (odd & rank[i] >> 1);
-      orders[bits].place_of[i] = place;
-      orders[bits].corner_at[place] = i;
-    }
-  } while (std::next_permutation(rank.begin(), rank.end()));
-  return orders;
-}();
-
 class Output {
  public:
-  Output(Facets& facets, std::size_t site_count, int threads)
-      : threads_(threads), bucket_count_(2 * site_count) {
+  Output(Facets& facets, std::size_t site_count, int threads, bool by_four)
+      : threads_(threads), by_four_(by_four), bucket_count_(2 * site_count) {
     take(facets);
   }
 
@@ -72,7 +34,10 @@ class Output {
     hull.tets.resize(count_);
     hull.neighbors.resize(count_);
     for_each_share([&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) write_bucket(hull, begin_of(b), end_[b]);
+      const auto write = by_four_ ? write_bucket_by_four : write_bucket;
+      for (std::size_t b = begin; b < end; ++b) {
+        write(&facets_[0], facet_at_, begin_of(b), end_[b], hull);
+      }
     });
     told(0.8);
     number_neighbors(hull.neighbors);
@@ -83,21 +48,8 @@ class Output {
  private:
   /// Threads that take facets: each has a table of all buckets.
   static constexpr int kMostTakers = 4;
-  /// So many are sorted by counting.
-  static constexpr std::uint32_t kFew = 64;
   /// What is needed so many steps later is asked for: it lies anywhere in memory.
   static constexpr std::size_t kAhead = 16;
-
-  struct Item {
-    Corners corners;
-    FacetIndex facet;
-    Comparisons comparisons;
-
-    /// Sorts a bucket: no two tetrahedra have the same first three corners, because those around an
-    /// edge, as they are oriented, lead from each third corner to one fourth.
-    std::uint64_t key() const { return std::uint64_t{+corners[1]} << 32 | +corners[2]; }
-  };
-
   /// One bucket per lowest corner; those of infinite facets come after all others.
   static std::size_t bucket(const FacetLinks& facet, std::size_t bucket_count) {
     const auto& c = facet.corners;
@@ -160,53 +112,6 @@ class Output {
     parallel_each(cuts_.size() - 1, [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
   }
 
-  /// Writes the tetrahedra of a bucket in their order.
-  void write_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
-    const std::uint32_t size = end - begin;
-    if (size > kFew) return write_large_bucket(hull, begin, end);
-    std::array<Item, kFew> items;
-    std::array<std::uint64_t, kFew> keys;
-    for (std::uint32_t i = 0; i < size; ++i) {
-      items[i] = item(begin + i);
-      keys[i] = items[i].key();
-    }
-    // Counts how many come before each: no branch depends on the order they are in.
-    for (std::uint32_t i = 0; i < size; ++i) {
-      std::uint32_t before = 0;
-      for (std::uint32_t k = 0; k < size; ++k) before += keys[k] < keys[i];
-      put(items[i], hull, begin + before);
-    }
-  }
-
-  void write_large_bucket(LiftedHull& hull, std::uint32_t begin, std::uint32_t end) {
-    LargeArray<KeyedIndex> order(end - begin);
-    for (std::uint32_t i = begin; i < end; ++i) order[i - begin] = {item(i).key(), i};
-    radix_sort(order);
-    for (std::uint32_t i = begin; i < end; ++i) put(item(order[i - begin].index), hull, i);
-  }
-
-  Item item(std::uint32_t i) const {
-    __builtin_prefetch(&facets_[facet_at_[std::min(i + kAhead, count_ - 1)]]);
-    Item item;
-    item.facet = facet_at_[i];
-    const std::array<Site, 4>& corners = facets_[item.facet].corners;
-    item.comparisons = compare(corners);
-    const Order& order = kOrders[item.comparisons];
-    for (std::size_t p = 0; p < 4; ++p) item.corners[p] = VertexId{corners[order.corner_at[p]]};
-    return item;
-  }
-
-  /// The facets of the tetrahedron take the place of the facet's own corners.
-  void put(const Item& item, LiftedHull& hull, std::uint32_t at) {
-    const Order& order = kOrders[item.comparisons];
-    FacetLinks& facet = facets_[item.facet];
-    hull.tets[at] = item.corners;
-    for (std::size_t p = 0; p < 4; ++p) {
-      hull.neighbors[at][p] = facet.neighbors[order.corner_at[p]];
-    }
-    for (std::size_t i = 0; i < 4; ++i) facet.corners[i] = 4 * at + order.place_of[i];
-  }
-
   /// From ridges of facets to facets of tetrahedra.
   void number_neighbors(LargeArray<std::array<FacetHandle, 4>>& neighbors) const {
     parallel_ranges(count_, threads_, [&](std::size_t begin, std::size_t end) {
@@ -222,6 +127,7 @@ class Output {
   }
 
   int threads_;
+  bool by_four_;
   std::size_t bucket_count_;
   LargeBlock<FacetLinks> facets_;  ///< living and dead
   std::size_t taken_ = 0;
@@ -234,9 +140,9 @@ class Output {
 
 }  // namespace
 
-LiftedHull output(Facets& facets, std::size_t site_count, int threads,
+LiftedHull output(Facets& facets, std::size_t site_count, int threads, bool by_four,
                   const std::function<void(double)>& progress) {
-  return Output(facets, site_count, threads).run(progress);
+  return Output(facets, site_count, threads, by_four).run(progress);
 }
 
 }  // namespace tetsculpt::hull

@@ -5,34 +5,38 @@
 // farthest point, find the facets it sees and their horizon, put a cone over the horizon, hand the
 // orphans on.
 //
-// Departures: conflict sets hold a batch of two points at a time, neighbours on a Hilbert curve
-// within a round of a biased random order (kernel/insertion_order): a point is then handed on once
-// at most instead of 4 ln n times, and the facets in use stay in cache. A batch's points find their
-// first facet by walking down the power of the facets' spheres, from where the last one ended. No
-// point is ever discarded: all lifted points are extreme.
+// Departures: the sets of points that see a facet hold one point at a time, neighbours on a Hilbert
+// curve within a round of a biased random order (kernel/insertion_order). It is never handed on,
+// instead of 4 ln n times, and the facets in use stay in cache; its first facet is found by walking
+// down the power of the facets' spheres, from where the last point went in. No point is ever
+// discarded: all lifted points are extreme.
 //
 // What it brought, hull alone: one cache line per facet, hyperplane, corners and neighbours
 // together, instead of five 15 %; stacks without checks 7 %, on cache lines of their own 4 %;
 // rounds of seven times all before instead of once 25 % (a round streams all facets through the
-// cache); batches of 16 instead of whole rounds 25 %, of 2 instead of 16 another 7 % (volumes and
-// surfaces, 35,000 to a million points; 2 % more on a torus); the visible region grown in waves,
-// four facets at a time, no branch on which are visible 12 %; looking only at those not met before,
-// corners of the cone numbered without a branch and spokes by four 5 %; hyperplanes by four 5 %;
-// walks to the best of four neighbours instead of the first that is better a fifth (a million
-// points of a torus); no SLP vectorizer (see cmake/targets.cmake) 14 %; hyperplanes that need no
-// corner for a test, see kernel/hull_facets, and marks in an array of their own 6 %, of a million
-// points 7 to 12 %; four tested facets sorted by a table of lanes, and asked for when they are met
-// instead of a wave earlier, 7 %; numbers of corners by one comparison each 4 %; large pages up to
-// half, where small ones are dear (page faults and TLB misses); the output gathered bucket by
-// bucket and written once, where it was scattered, sorted and looked up again, 13 % of a million
-// points of a cube; orders of four corners from a table 4 %, buckets sorted by counting 3 and 2 %;
-// facets written to only when they are used 6 %; the cone put up straight from the ridges that are
-// cut, numbers of corners in 32 bits, 5 %; points in large pages, too, 3 to 8 % at a million.
-// Without gain: -march=native; the waves in one function with vectors, fewer instructions but
-// longer waits; the cone in two loops or in tables at fixed distances; corners numbered by a hash
-// table in the nearest cache instead of an array over all sites, or by the lesser of what is known
-// and the count, where each number waits for the one before (9 % slower); output by lists per
-// lowest corner, two passes less (half as slow again). With -O2 instead of -O3 a fifth is lost.
+// cache); batches of 16 instead of whole rounds 25 %, of 2 instead of 16 another 7 %, of one 2 %;
+// all four neighbours of a visible facet tested at once, also those that were tested from another
+// one before: 84 tests a point of a cube instead of 48, but one loop without a branch on what they
+// find, where waves of facets not met before took three each: 10 % (and those waves 12 and 5 %
+// before); hyperplanes and spokes by four 5 % each, multiplications and additions in one 3 %; walks
+// to the best of four neighbours instead of the first that is better a fifth (a million points of a
+// torus); no SLP vectorizer (see cmake/targets.cmake) 14 %; hyperplanes that need no corner for a
+// test, see kernel/hull_facets, and marks in an array of their own 6 %, of a million points 7 to
+// 12 %; corners of a cone numbered by the visible facets met opposite them, whether they have a
+// number or not, up to 4 %; large pages up to half, where small ones are dear, and small ones up to
+// half, where large ones are (see kernel/large_array); the output gathered bucket by bucket and
+// written once, where it was scattered, sorted and looked up again, 13 % of a million points of a
+// cube; orders of four corners from a table 4 %, buckets sorted by counting 3 and 2 %, both four at
+// a time 3 %; facets written to only when they are used 6 %; the cone put up straight from the
+// ridges that are cut, numbers of corners in 32 bits, 5 %; points in large pages, too, 3 to 8 % at
+// a million.
+//     Without gain: -march=native; neighbours of visible facets asked for two facets ahead (2 to
+// 7 % slower); corners numbered by the places they have in the cone, which spread the table of
+// pairs over the nearest cache (4 % slower), by a hash table in that cache, or by the lesser of
+// what is known and the count, where each number waits for the one before (9 % slower); spokes not
+// kept but computed per facet (4 % slower); the error bound's square root by halving the exponent;
+// output by lists per lowest corner, two passes less (half as slow again). With -O2 instead of -O3
+// a fifth is lost.
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
 // thread inserts one. What would touch another's facets, 5 % of the points of a cube and 25 % of a
@@ -157,8 +161,8 @@ class Construction {
         options_(options),
         facets_(points, unit_of(points, options.threads)),
         known_(options.threads > 1 ? points.size() : 0, hull::kNone),
-        inserter_(points, facets_, {make_simplex(facets_, simplex)},
-                  options.four_lanes && hull::has_four_lanes(), known_) {
+        by_four_(options.four_lanes && hull::has_four_lanes()),
+        inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_) {
     facets_.remember_sphere(simplex);
   }
 
@@ -182,7 +186,7 @@ class Construction {
     if (options_.progress) {
       progress = [&](double share) { options_.progress(kInserting + (1 - kInserting) * share); };
     }
-    return hull::output(facets_, points_.size(), options_.threads, progress);
+    return hull::output(facets_, points_.size(), options_.threads, by_four_, progress);
   }
 
  private:
@@ -202,19 +206,13 @@ class Construction {
   template <class Told>
   void insert(std::span<const Site> sites, hull::SiteRange range, Inserter& inserter,
               Told&& told) const {
-    constexpr std::size_t kReportEvery = 32768 * Inserter::kBatch;
-    std::array<Site, Inserter::kBatch> batch;
-    std::size_t size = 0;
+    constexpr std::size_t kReportEvery = 65536;
     std::size_t in = 0;
     for (const Site s : sites) {
       if (!range.contains(s)) continue;
-      batch[size++] = s;
-      if (size < batch.size()) continue;
-      inserter.insert(batch);
-      if (in % kReportEvery == 0) told(in);
-      in += std::exchange(size, 0);
+      inserter.insert(s);
+      if (in++ % kReportEvery == 0) told(in);
     }
-    inserter.insert(std::span(batch).first(size));
   }
 
   /// Each thread inserts a stretch of the curve, as far as it meets no other's. What is left then
@@ -281,6 +279,7 @@ class Construction {
   const LiftedHullOptions& options_;
   Facets facets_;
   LargeArray<FacetIndex> known_;  ///< see Inserter
+  bool by_four_;
   Inserter inserter_;
   std::size_t done_ = 0;  ///< by whole rounds
   std::size_t told_ = 0;

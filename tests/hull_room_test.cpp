@@ -35,7 +35,7 @@ TEST_CASE("rooms follow each other and hold what was asked for") {
 TEST_CASE("a new facet is not marked, whatever was there before") {
   Facets facets(sites(), 0);
   const FacetRoom first = facets.append(5);
-  for (hull::FacetIndex f = first.begin; f < first.end; ++f) facets.mark(f) = hull::Mark::kMet;
+  for (hull::FacetIndex f = first.begin; f < first.end; ++f) facets.mark(f) = hull::Mark::kVisible;
   facets.give_back({first});
   const FacetRoom again = facets.append(5);
   REQUIRE(again.begin == first.begin);

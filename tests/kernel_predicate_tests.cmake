@@ -15,9 +15,11 @@ foreach(
   predicates_integer_stage_test
   double_double_test
   predicates_symmetry_test
+  hull_bucket_test
   hull_facets_height_test
   hull_four_lanes_test
   hull_lanes_test
+  hull_region_test
   hull_room_test
   hull_sphere_test
   perturbation_sphere_test
