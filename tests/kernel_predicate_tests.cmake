@@ -19,6 +19,7 @@ foreach(
   hull_facets_height_test
   hull_four_lanes_test
   hull_lanes_test
+  hull_range_test
   hull_region_test
   hull_room_test
   hull_sphere_test

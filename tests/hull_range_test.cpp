@@ -1,0 +1,88 @@
+// A region that would leave the range is not grown, and leaves no mark; what others have marked
+// beyond the neighbours of the own facets does not matter.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "kernel/distinct_points.h"
+#include "kernel/four_lanes.h"
+#include "kernel/hull_region.h"
+#include "tests/support/hull_regions.h"
+#include "tests/support/point_sets.h"
+
+namespace tetsculpt {
+namespace {
+
+using hull::FacetIndex;
+using hull::Facets;
+using hull::Ridge;
+using hull::Site;
+using hull_regions::Expected;
+using hull_regions::marked;
+using hull_regions::set_hull;
+using hull_regions::sorted;
+
+/// Whether the region of the last site lies within the range, by the corners of what it sees.
+bool within(const Facets& facets, const Expected& expected, const hull::SiteRange& own) {
+  return std::ranges::all_of(expected.visible,
+                             [&](FacetIndex f) { return own.contains(facets.corners(f)); });
+}
+
+TEST_CASE("ranges, and marks that others left beyond") {
+  for (const std::vector<Point3>& set : {point_sets::uniform_cube(300, 2), point_sets::grid(5)}) {
+    const LargeArray<Point3> sites = distinct_points(set).points;
+    Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
+    set_hull(facets, sites);
+    const auto apex = static_cast<Site>(sites.size() - 1);
+    const Expected expected(facets, facets.size(), apex);
+    std::size_t inside = 0, outside = 0;
+    for (Site begin = 0; begin < apex; ++begin) {
+      const hull::SiteRange own{begin, apex};
+      for (const bool by_four : {false, true}) {
+        if (by_four && !hull::has_four_lanes()) continue;
+        hull::Region region;
+        const bool grown =
+            hull::grow_region(facets, apex, expected.visible[0], own, by_four, region);
+        CHECK(grown == within(facets, expected, own));
+        (grown ? inside : outside) += 1;
+        region.unmark(facets);
+        REQUIRE(marked(facets, facets.size()) == 0);
+      }
+    }
+    CHECK(inside > 0);
+    CHECK(outside > 0);
+  }
+}
+
+TEST_CASE("what others have marked is not cut off") {
+  const LargeArray<Point3> sites = distinct_points(point_sets::grid(5)).points;
+  Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
+  set_hull(facets, sites);
+  const auto apex = static_cast<Site>(sites.size() - 1);
+  const Expected expected(facets, facets.size(), apex);
+  hull::SiteRange own{apex - 1, apex};
+  while (!within(facets, expected, own)) --own.begin;
+  for (FacetIndex f = 0; f < facets.size(); ++f) {
+    // No neighbour of what is this thread's.
+    const auto is_own = [&](Ridge r) { return own.contains(facets.corners(hull::facet_of(r))); };
+    if (own.contains(facets.corners(f)) || std::ranges::any_of(facets.neighbors(f), is_own))
+      continue;
+    facets.mark(f) = hull::Mark::kVisible;
+  }
+  const std::size_t of_others = marked(facets, facets.size());
+  CHECK(of_others > 0);
+  for (const bool by_four : {false, true}) {
+    if (by_four && !hull::has_four_lanes()) continue;
+    hull::Region region;
+    REQUIRE(hull::grow_region(facets, apex, expected.visible[0], own, by_four, region));
+    CHECK(sorted(region.cut) == expected.cut);
+    region.unmark(facets);
+    CHECK(marked(facets, facets.size()) == of_others);
+  }
+}
+
+}  // namespace
+}  // namespace tetsculpt
