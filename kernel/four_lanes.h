@@ -16,7 +16,7 @@
 /// Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
-/// Whether this build and this processor can take four doubles at a time.
+/// Whether this build and this processor can take four doubles at a time: AVX2 and FMA.
 bool has_four_lanes();
 
 using Four = double __attribute__((vector_size(32)));

@@ -9,8 +9,8 @@
 #include "kernel/hull_region.h"
 #include "kernel/point.h"
 
-/// What an insertion computes for many facets: four at a time where the processor has AVX2, one
-/// after the other elsewhere. Both are exact where they decide, so it makes no difference to the
+/// What an insertion computes for many facets: four at a time where has_four_lanes(), one after the
+/// other elsewhere. Both are exact where they decide, so it makes no difference to the
 /// hull. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 

@@ -51,7 +51,7 @@ std::size_t wrong_regions(std::span<const Point3> sites, bool by_four, std::size
 }
 
 void check_regions(const std::vector<Point3>& set, bool ties) {
-  if (!hull::has_four_lanes()) MESSAGE("four at a time skipped: this processor has no AVX2");
+  if (!hull::has_four_lanes()) MESSAGE("four at a time skipped: this processor takes one");
   const LargeArray<Point3> distinct = distinct_points(set).points;
   std::size_t wrong = 0, unclear = 0;
   for (std::size_t last = 0; last < distinct.size(); last += distinct.size() / 12) {
