@@ -80,71 +80,90 @@ const FacetLinks& listed(const FacetLinks* facets, std::span<const FacetIndex> l
   return facets[list[i]];
 }
 
-Tet ordered(const FacetLinks& facet) {
-  Tet tet;
-  tet.order = compare(facet.corners);
-  const Order& order = kOrders[tet.order];
-  for (std::size_t p = 0; p < 4; ++p) tet.corners[p] = facet.corners[order.corner_at[p]];
-  return tet;
-}
-
-TETSCULPT_FOUR_LANES inline Tet ordered_by_four(const FacetLinks& facet) {
-  const FourIndices corners = four_of(facet.corners.data());
-  Tet tet;
-  tet.order = compare_by_four(corners);
-  const FourIndices in_places = in_order(corners, kOrders[tet.order].corner_at);
-  std::memcpy(&tet.corners, &in_places, sizeof in_places);
-  return tet;
-}
-
-void put(const Tet& tet, FacetLinks& facet, std::uint32_t at, LiftedHull& hull) {
-  const Order& order = kOrders[tet.order];
-  for (std::size_t p = 0; p < 4; ++p) {
-    hull.tets[at][p] = VertexId{tet.corners[p]};
-    hull.neighbors[at][p] = facet.neighbors[order.corner_at[p]];
+/// How a tetrahedron is put in order and in its place.
+struct OneByOne {
+  static Tet ordered(const FacetLinks& facet) {
+    Tet tet;
+    tet.order = compare(facet.corners);
+    const Order& order = kOrders[tet.order];
+    for (std::size_t p = 0; p < 4; ++p) tet.corners[p] = facet.corners[order.corner_at[p]];
+    return tet;
   }
-  for (std::size_t i = 0; i < 4; ++i) facet.corners[i] = 4 * at + order.place_of[i];
-}
-
-TETSCULPT_FOUR_LANES inline void put_by_four(const Tet& tet, FacetLinks& facet, std::uint32_t at,
-                                             LiftedHull& hull) {
-  const Order& order = kOrders[tet.order];
-  std::memcpy(&hull.tets[at], &tet.corners, sizeof tet.corners);
-  const FourIndices neighbors = in_order(four_of(facet.neighbors.data()), order.corner_at);
-  std::memcpy(&hull.neighbors[at], &neighbors, sizeof neighbors);
-  const FourIndices handles = 4 * at + four_of(order.place_of.data());
-  std::memcpy(&facet.corners, &handles, sizeof handles);
-}
-
-/// How many come before one: no branch depends on the order they are in.
-std::uint32_t rank(const Keys& keys, std::uint32_t size, std::uint64_t key) {
-  std::uint32_t before = 0;
-  for (std::uint32_t k = 0; k < size; ++k) before += keys[k] < key;
-  return before;
-}
-
-/// Reads keys up to a multiple of four.
-TETSCULPT_FOUR_LANES inline std::uint32_t rank_by_four(const Keys& keys, std::uint32_t size,
-                                                       std::uint64_t key) {
-  FourLongs before{};
-  for (std::uint32_t k = 0; k < size; k += 4) {
-    FourLongs four;
-    std::memcpy(&four, &keys[k], sizeof four);
-    before += four < static_cast<std::int64_t>(key);  // -1 where it holds
+  /// How many keys come before one: no branch depends on the order they are in.
+  static std::uint32_t rank(const Keys& keys, std::uint32_t size, std::uint64_t key) {
+    std::uint32_t before = 0;
+    for (std::uint32_t k = 0; k < size; ++k) before += keys[k] < key;
+    return before;
   }
-  return static_cast<std::uint32_t>(-(before[0] + before[1] + before[2] + before[3]));
-}
+  static void put(const Tet& tet, FacetLinks& facet, std::uint32_t at, LiftedHull& hull) {
+    const Order& order = kOrders[tet.order];
+    for (std::size_t p = 0; p < 4; ++p) {
+      hull.tets[at][p] = VertexId{tet.corners[p]};
+      hull.neighbors[at][p] = facet.neighbors[order.corner_at[p]];
+    }
+    for (std::size_t i = 0; i < 4; ++i) facet.corners[i] = 4 * at + order.place_of[i];
+  }
+};
+
+/// The same four corners or keys at a time; reads keys up to a multiple of four.
+struct ByFour {
+  TETSCULPT_FOUR_LANES static Tet ordered(const FacetLinks& facet) {
+    const FourIndices corners = four_of(facet.corners.data());
+    Tet tet;
+    tet.order = compare_by_four(corners);
+    const FourIndices in_places = in_order(corners, kOrders[tet.order].corner_at);
+    std::memcpy(&tet.corners, &in_places, sizeof in_places);
+    return tet;
+  }
+  TETSCULPT_FOUR_LANES static std::uint32_t rank(const Keys& keys, std::uint32_t size,
+                                                 std::uint64_t key) {
+    FourLongs before{};
+    for (std::uint32_t k = 0; k < size; k += 4) {
+      FourLongs four;
+      std::memcpy(&four, &keys[k], sizeof four);
+      before += four < static_cast<std::int64_t>(key);  // -1 where it holds
+    }
+    return static_cast<std::uint32_t>(-(before[0] + before[1] + before[2] + before[3]));
+  }
+  TETSCULPT_FOUR_LANES static void put(const Tet& tet, FacetLinks& facet, std::uint32_t at,
+                                       LiftedHull& hull) {
+    const Order& order = kOrders[tet.order];
+    std::memcpy(&hull.tets[at], &tet.corners, sizeof tet.corners);
+    const FourIndices neighbors = in_order(four_of(facet.neighbors.data()), order.corner_at);
+    std::memcpy(&hull.neighbors[at], &neighbors, sizeof neighbors);
+    const FourIndices handles = 4 * at + four_of(order.place_of.data());
+    std::memcpy(&facet.corners, &handles, sizeof handles);
+  }
+};
 
 void write_large_bucket(FacetLinks* facets, std::span<const FacetIndex> list, std::uint32_t begin,
                         std::uint32_t end, LiftedHull& hull) {
   LargeArray<KeyedIndex> order(end - begin);
   for (std::uint32_t i = begin; i < end; ++i) {
-    order[i - begin] = {key(ordered(listed(facets, list, i)).corners), i};
+    order[i - begin] = {key(OneByOne::ordered(listed(facets, list, i)).corners), i};
   }
   radix_sort(order);
   for (std::uint32_t i = begin; i < end; ++i) {
     FacetLinks& facet = facets[list[order[i - begin].index]];
-    put(ordered(facet), facet, i, hull);
+    OneByOne::put(OneByOne::ordered(facet), facet, i, hull);
+  }
+}
+
+/// Always inline: within what it is called from it may take four lanes.
+template <class Way>
+[[gnu::always_inline]] inline void write(FacetLinks* facets, std::span<const FacetIndex> list,
+                                         std::uint32_t begin, std::uint32_t end, LiftedHull& hull) {
+  const std::uint32_t size = end - begin;
+  if (size > kFew) return write_large_bucket(facets, list, begin, end, hull);
+  Keys keys;
+  Tets tets;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    tets[i] = Way::ordered(listed(facets, list, begin + i));
+    keys[i] = key(tets[i].corners);
+  }
+  for (std::uint32_t i = size; i % 4 != 0; ++i) keys[i] = std::numeric_limits<std::int64_t>::max();
+  for (std::uint32_t i = 0; i < size; ++i) {
+    Way::put(tets[i], facets[list[begin + i]], begin + Way::rank(keys, size, keys[i]), hull);
   }
 }
 
@@ -152,34 +171,13 @@ void write_large_bucket(FacetLinks* facets, std::span<const FacetIndex> list, st
 
 void write_bucket(FacetLinks* facets, std::span<const FacetIndex> list, std::uint32_t begin,
                   std::uint32_t end, LiftedHull& hull) {
-  const std::uint32_t size = end - begin;
-  if (size > kFew) return write_large_bucket(facets, list, begin, end, hull);
-  Keys keys;
-  Tets tets;
-  for (std::uint32_t i = 0; i < size; ++i) {
-    tets[i] = ordered(listed(facets, list, begin + i));
-    keys[i] = key(tets[i].corners);
-  }
-  for (std::uint32_t i = 0; i < size; ++i) {
-    put(tets[i], facets[list[begin + i]], begin + rank(keys, size, keys[i]), hull);
-  }
+  write<OneByOne>(facets, list, begin, end, hull);
 }
 
 TETSCULPT_FOUR_LANES void write_bucket_by_four(FacetLinks* facets, std::span<const FacetIndex> list,
                                                std::uint32_t begin, std::uint32_t end,
                                                LiftedHull& hull) {
-  const std::uint32_t size = end - begin;
-  if (size > kFew) return write_large_bucket(facets, list, begin, end, hull);
-  Keys keys;
-  Tets tets;
-  for (std::uint32_t i = 0; i < size; ++i) {
-    tets[i] = ordered_by_four(listed(facets, list, begin + i));
-    keys[i] = key(tets[i].corners);
-  }
-  for (std::uint32_t i = size; i % 4 != 0; ++i) keys[i] = std::numeric_limits<std::int64_t>::max();
-  for (std::uint32_t i = 0; i < size; ++i) {
-    put_by_four(tets[i], facets[list[begin + i]], begin + rank_by_four(keys, size, keys[i]), hull);
-  }
+  write<ByFour>(facets, list, begin, end, hull);
 }
 
 }  // namespace tetsculpt::hull
