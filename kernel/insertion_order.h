@@ -16,9 +16,8 @@ struct InsertionOrder {
   std::vector<std::size_t> round_begin;
 };
 
-/// Biased randomised insertion order: vertices fall into rounds by pseudo-random coins (a fixed
-/// hash of the id), each round about seven times as large as all before it. [Amenta, Choi, Rote
-/// 2003] Cost: linear.
+/// Every 8^k-th vertex, for k down to 0, less those before: each round is about seven times as
+/// large as all before it, and its vertices are spaced evenly on the curve. Cost: linear.
 InsertionOrder insertion_order(std::size_t vertex_count);
 
 }  // namespace tetsculpt
