@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "kernel/hull_cone.h"
 #include "kernel/hull_facets.h"
-#include "kernel/hull_lanes.h"
 #include "kernel/hull_region.h"
 #include "kernel/large_array.h"
 #include "kernel/point.h"
@@ -57,36 +57,22 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
 
   bool find_horizon(Site apex, FacetIndex seen);
   bool find_room(std::size_t count);
-  void make_cone(Site apex);
-  void number_corners();
-  template <bool kInTable>
-  void put_up_cone(Site apex);
-  void link_cone();
-  void link_large_cone();
-  void set_hyperplanes(Site apex);
-  void replace_visible();
-  std::uint32_t& number_of(Site s) { return number_of_.data()[static_cast<std::int32_t>(s) + 1]; }
+  void replace_visible(Site apex);
+  void free_visible(std::size_t left);
 
   std::span<const Point3> points_;
   Facets& facets_;
   bool by_four_;  ///< see kernel/hull_lanes
   SiteRange own_;
-  FacetIndex last_ = 0;  ///< lives, and its corners are in the range; kNone if there is none
-  std::vector<FacetIndex> free_;  ///< facets that died or were never used; the last are next
+  FacetIndex last_ = 0;      ///< lives, and its corners are in the range; kNone if there is none
+  std::vector<Ridge> free_;  ///< of facets that died or were never used; the last are next
   std::vector<FacetRoom> rooms_;  ///< where more come from
   /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
   /// are no helpers.
   std::span<FacetIndex> known_;
   std::vector<Site> deferred_;
-  // Of the insertion under way:
-  Region region_;
-  Stack<ConeFacet> cone_;   ///< per ridge that is cut
-  Stack<Site> spoke_ends_;  ///< per number, a corner of the cavity
-  Stack<Spoke> spokes_;     ///< to there from the apex
-  /// Per site, after the one at infinity: its number among the corners of the last cavity that had
-  /// it for one.
-  LargeArray<std::uint32_t> number_of_;
-  Stack<Ridge> half_ridge_;  ///< per ordered pair of numbers, see kTablePlaces
+  Region region_;  ///< of the insertion under way
+  Cone cone_;
 };
 
 }  // namespace tetsculpt::hull

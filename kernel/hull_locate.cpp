@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "kernel/hull_inserter.h"
+#include "kernel/hull_lanes.h"
 #include "kernel/predicates.h"
 
 namespace tetsculpt::hull {
@@ -37,6 +38,7 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
     if (!own(f)) return kNone;
   }
   const LiftedDifference point = facets_.lifted(points_[q]);
+  if (by_four_) f = nearer_by_four(facets_, f, point, own_);
   Facets::Height h = facets_.height(f, point);
   if (h.value > h.error) return f;
   double height = h.value;  // the negative power
@@ -45,20 +47,18 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
     moved = false;
     at_border = false;
     const std::array<Ridge, 4> neighbors = facets_.neighbors(f);
-    const NeighborHeights heights = by_four_ ? neighbor_heights_by_four(facets_, f, point)
-                                             : neighbor_heights(facets_, f, point);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const FacetIndex g = facet_of(neighbors[i]);
-      const bool seen = (heights.visible >> i & 1) != 0;
-      const bool nearer = !seen && heights.value[i] > height && !facets_.infinite(g);
-      if (!seen && !nearer) continue;
+    for (const Ridge r : neighbors) {
+      const FacetIndex g = facet_of(r);
+      h = facets_.height(g, point);
+      const bool seen = h.value > h.error;
+      if (!seen && (h.value <= height || facets_.infinite(g))) continue;
       if (!own(g)) {
         at_border = true;
         continue;
       }
       if (seen) return g;
       f = g;
-      height = heights.value[i];
+      height = h.value;
       moved = true;
     }
   }

@@ -10,7 +10,8 @@
 
 #include "kernel/distinct_points.h"
 #include "kernel/hull_facets.h"
-#include "kernel/hull_lanes.h"
+#include "kernel/four_lanes.h"
+#include "kernel/hull_cone_lanes.h"
 #include "tests/support/exact_predicates.h"
 #include "tests/support/point_sets.h"
 
@@ -113,8 +114,8 @@ void set_by_four(hull::Facets& facets, hull::FacetIndex f) {
                          : hull::lifted_difference(facets.point(c[i]), facets.point(c[0])));
   }
   std::array<hull::ConeFacet, 4> cone;
-  cone.fill({f, {0, 1, 2}});
-  hull::set_hyperplanes_by_four(facets, c[0], std::span(cone).first(1), spokes);
+  cone.fill({f, {0, 4, 8}});
+  hull::finish_cone_by_four(facets, c[0], std::span(cone).first(1), spokes.data(), {});
 }
 
 TEST_CASE("heights and their errors against exact signs") {

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace tetsculpt {
@@ -41,6 +42,21 @@ TEST_CASE("a round is about seven times as large as all before it") {
     const double size = static_cast<double>(order.round_begin[r + 1]) - before;
     CHECK(size > 4 * before);
     CHECK(size < 14 * before);
+  }
+}
+
+TEST_CASE("the vertices of a round are spaced evenly") {
+  const InsertionOrder order = insertion_order(5000);
+  for (std::size_t r = 0; r + 1 < order.round_begin.size(); ++r) {
+    const auto at = [&](std::size_t k) { return +order.vertices[k]; };
+    std::size_t nearest = 5000, farthest = 0;
+    for (std::size_t k = order.round_begin[r] + 1; k < order.round_begin[r + 1]; ++k) {
+      nearest = std::min(nearest, at(k) - at(k - 1));
+      farthest = std::max(farthest, at(k) - at(k - 1));
+    }
+    CAPTURE(r);
+    CHECK(nearest > 0);
+    CHECK(farthest <= 2 * nearest);
   }
 }
 

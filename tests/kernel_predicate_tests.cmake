@@ -16,6 +16,7 @@ foreach(
   double_double_test
   predicates_symmetry_test
   hull_bucket_test
+  hull_cone_lanes_test
   hull_facets_height_test
   hull_four_lanes_test
   hull_lanes_test
@@ -23,6 +24,7 @@ foreach(
   hull_region_test
   hull_room_test
   hull_sphere_test
+  hull_spokes_test
   perturbation_sphere_test
   perturbation_diametral_sphere_test
   perturbation_equatorial_sphere_test
