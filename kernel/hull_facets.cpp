@@ -109,6 +109,14 @@ double value(const Normal& n, const LiftedDifference& d) {
   return n.x * d.x + n.y * d.y + n.z * d.z + n.w * d.w;
 }
 
+/// Whether they are in one coordinate plane.
+bool share_coordinate(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const auto equal = [](double p, double q, double r, double s) {
+    return p == q && p == r && p == s;
+  };
+  return equal(a.x, b.x, c.x, d.x) || equal(a.y, b.y, c.y, d.y) || equal(a.z, b.z, c.z, d.z);
+}
+
 /// See Facets::lattice_.
 LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, const Box& box,
                                           double per_unit) {
@@ -236,6 +244,9 @@ void Facets::set_hyperplane(FacetIndex f) {
 bool Facets::decide(FacetIndex f, Site q) const {
   if (!infinite(f)) return finite_visible(f, q);
   const auto& c = corners(f);
+  if (share_coordinate(sites_[c[0]], sites_[c[1]], sites_[c[2]], sites_[q])) {
+    return coplanar_visible(f, q);
+  }
   const LiftedDifference p = lifted_difference(sites_[c[1]], sites_[c[0]]);
   const LiftedDifference r = lifted_difference(sites_[c[2]], sites_[c[0]]);
   const LiftedDifference d = lifted_difference(sites_[q], sites_[c[0]]);
