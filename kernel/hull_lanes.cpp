@@ -89,7 +89,9 @@ bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own,
 }
 
 TETSCULPT_FOUR_LANES bool expand_by_four(Facets& facets, const LiftedDifference& point,
-                                         const SiteRange& own, std::size_t begin, Region& region) {
+                                         const SiteRange& range, std::size_t begin,
+                                         Region& region) {
+  const SiteRange own = range;  // nothing that is written could be part of it
   const FourRows queries = four_times(point);
   const bool all_own = own.all();
   const auto number = [](Mark mark) { return static_cast<unsigned>(mark); };

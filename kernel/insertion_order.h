@@ -3,21 +3,29 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/ids.h"
-#include "kernel/large_array.h"
-
 /// The order in which points enter the hull.
 namespace tetsculpt {
 
-struct InsertionOrder {
-  /// All vertices, round after round; within a round by id, which is along a Hilbert curve.
-  LargeArray<VertexId> vertices;
-  /// Round r is vertices[round_begin[r]] up to vertices[round_begin[r + 1]].
-  std::vector<std::size_t> round_begin;
+/// Vertices of one round: every step-th, less those of the rounds before.
+struct InsertionRound {
+  /// A round is seven times as large as all before it.
+  static constexpr std::size_t kRatio = 8;
+
+  std::size_t vertex_count;  ///< of the set
+  std::size_t step;          ///< a power of kRatio
+  bool first;
+
+  std::size_t size() const;
+  /// Calls visit(v) on each vertex of [begin, end), a part of the set, that is in the round.
+  template <class Visit>
+  void each(std::size_t begin, std::size_t end, Visit&& visit) const {
+    for (std::size_t v = (begin + step - 1) / step * step; v < end; v += step) {
+      if (first || v % (kRatio * step) != 0) visit(v);
+    }
+  }
 };
 
-/// Every 8^k-th vertex, for k down to 0, less those before: each round is about seven times as
-/// large as all before it, and its vertices are spaced evenly on the curve. Cost: linear.
-InsertionOrder insertion_order(std::size_t vertex_count);
+/// Every 8^k-th vertex, for k down to 0: within a round by id, which is along a Hilbert curve.
+std::vector<InsertionRound> insertion_rounds(std::size_t vertex_count);
 
 }  // namespace tetsculpt

@@ -28,8 +28,14 @@ namespace tetsculpt {
 namespace {
 
 constexpr std::size_t kPage = kLargePageBytes;
-/// In front of every array: the size of its block, and room to keep the array's alignment.
+/// In front of every array.
+struct Header {
+  std::size_t block_size;
+  std::atomic<bool> small_pages;  ///< asked for
+};
+/// Its size, and room to keep the array's alignment.
 constexpr std::size_t kHeader = kLargeArrayOffset;
+static_assert(sizeof(Header) <= kHeader);
 [[maybe_unused]] constexpr std::align_val_t kAlignment{kHeader};
 
 /// Whether a large page took too long to come: then no more are asked for, until some thread begins
@@ -39,7 +45,10 @@ std::atomic<bool> too_slow = false;
 /// Only a place to keep memory, of this thread alone.
 thread_local LargeArrayReuse* reuse = nullptr;
 
-std::size_t& size_of(void* block) { return *static_cast<std::size_t*>(block); }
+Header& header_of(void* block) { return *static_cast<Header*>(block); }
+std::size_t& size_of(void* block) { return header_of(block).block_size; }
+/// Where a block begins, or what is behind one that is cut.
+void set_header(void* block, std::size_t bytes) { ::new (block) Header{bytes, false}; }
 
 #if __has_include(<sys/mman.h>)
 
@@ -83,7 +92,7 @@ void* new_block(std::size_t bytes) {
   }
   if (too_slow) madvise(block, bytes, MADV_NOHUGEPAGE);
 #endif
-  size_of(block) = bytes;
+  set_header(block, bytes);
   return block;
 }
 
@@ -95,7 +104,7 @@ void give_back(void* block, std::size_t) noexcept { ::operator delete(block, kAl
 
 void* new_block(std::size_t bytes) {
   void* const block = ::operator new(bytes, kAlignment);
-  size_of(block) = bytes;
+  set_header(block, bytes);
   return block;
 }
 
@@ -113,7 +122,7 @@ void* take_kept(std::vector<void*>& kept, std::size_t bytes) {
   const std::size_t rest = size_of(block) - bytes;
   if (kDivisible && rest > 0) {
     *best = static_cast<char*>(block) + bytes;
-    size_of(*best) = rest;
+    set_header(*best, rest);
     size_of(block) = bytes;
   } else {
     *best = kept.back();
@@ -145,16 +154,20 @@ std::size_t block_size(std::size_t bytes) { return (kHeader + bytes + kPage - 1)
 
 }  // namespace
 
-void touch_large([[maybe_unused]] std::byte* begin, [[maybe_unused]] std::byte* end,
-                 [[maybe_unused]] std::byte* memory_end) noexcept {
+void touch_large([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t begin,
+                 [[maybe_unused]] std::size_t end) noexcept {
 #if defined(MADV_HUGEPAGE)
-  const std::size_t size = static_cast<std::size_t>(end - begin);
-  std::size_t at = (kPage - reinterpret_cast<std::uintptr_t>(begin) % kPage) % kPage;
-  for (; at < size && !too_slow; at += kPage) touch(begin + at);
-  if (!too_slow || at >= static_cast<std::size_t>(memory_end - begin)) return;
-  madvise(begin + at, static_cast<std::size_t>(memory_end - begin) - at, MADV_NOHUGEPAGE);
+  char* const block = static_cast<char*>(memory) - kHeader;  // where a page begins
+  const std::size_t block_end = kHeader + end;
+  std::size_t at = (kHeader + begin + kPage - 1) / kPage * kPage;
+  for (; at < block_end && !too_slow; at += kPage) touch(block + at);
+  if (!too_slow) return;
+  // Once, because other threads' pages wait for that.
+  if (!header_of(block).small_pages.exchange(true)) {
+    madvise(block, size_of(block), MADV_NOHUGEPAGE);
+  }
 #if defined(MADV_POPULATE_WRITE)
-  if (at < size) madvise(begin + at, size - at, MADV_POPULATE_WRITE);
+  if (at < block_end) madvise(block + at, block_end - at, MADV_POPULATE_WRITE);
 #endif
 #endif
 }
@@ -193,7 +206,7 @@ void shrink_large(void* memory, std::size_t bytes) noexcept {
   char* const block = static_cast<char*>(memory) - kHeader;
   const std::size_t size = block_size(bytes);
   if (!kDivisible || size >= size_of(block)) return;
-  size_of(block + size) = size_of(block) - size;
+  set_header(block + size, size_of(block) - size);
   size_of(block) = size;
   free_large(block + size + kHeader);
 }

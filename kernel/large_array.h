@@ -36,9 +36,9 @@ void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
 /// Frees all but the first `bytes` bytes, where the system can do that.
 void shrink_large(void* memory, std::size_t bytes) noexcept;
-/// [begin, end) of memory that ends at `memory_end` is about to be used for the first time. From
-/// there on small pages, if the large ones are slow to come.
-void touch_large(std::byte* begin, std::byte* end, std::byte* memory_end) noexcept;
+/// [begin, end) of large memory is about to be used for the first time: in small pages, if the large
+/// ones are slow to come. Several threads may do so, each with memory of its own.
+void touch_large(void* memory, std::size_t begin, std::size_t end) noexcept;
 
 /// Sizes from which large pages pay; smaller arrays use std::allocator.
 inline constexpr std::size_t kLargeArrayBytes = std::size_t{1} << 20;

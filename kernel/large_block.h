@@ -58,9 +58,7 @@ class LargeBlock {
 
   /// Those of [begin, end) are used next, for the first time.
   void touch(std::size_t begin, std::size_t end) {
-    auto* const bytes = reinterpret_cast<std::byte*>(data_);
-    if (!large_) return;
-    touch_large(bytes + begin * sizeof(T), bytes + end * sizeof(T), bytes + capacity_ * sizeof(T));
+    if (large_) touch_large(data_, begin * sizeof(T), end * sizeof(T));
   }
 
   /// Of the first `count` elements one member, one behind the other in the same memory; lets go of

@@ -52,6 +52,7 @@
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -119,30 +120,23 @@ FacetRoom make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
   return room;
 }
 
-/// What is to be inserted, round after round.
-struct Rounds {
-  LargeArray<Site> sites;
-  std::vector<std::size_t> begin;  ///< per round, and the end
-
-  std::size_t count() const { return begin.size() - 1; }
-  std::span<const Site> operator[](std::size_t r) const {
-    return std::span(sites).subspan(begin[r], begin[r + 1] - begin[r]);
+/// Calls visit(s) on each of the range.
+template <class Visit>
+void each_site(const InsertionRound& round, const hull::SiteRange& range, Visit&& visit) {
+  const auto visit_site = [&](std::size_t v) { visit(static_cast<Site>(v)); };
+  if (range.begin <= range.end) {
+    round.each(range.begin, std::min<std::size_t>(range.end, round.vertex_count), visit_site);
+  } else {
+    round.each(range.begin, round.vertex_count, visit_site);
+    round.each(0, range.end, visit_site);
   }
-};
+}
 
-/// All sites but the corners of the first simplex.
-Rounds rounds_without(const std::array<Site, 4>& simplex, std::size_t site_count) {
-  const InsertionOrder order = insertion_order(site_count);
-  Rounds rounds{{}, {0}};
-  rounds.sites.reserve(site_count);
-  for (std::size_t r = 0; r + 1 < order.round_begin.size(); ++r) {
-    for (std::size_t k = order.round_begin[r]; k < order.round_begin[r + 1]; ++k) {
-      const auto s = static_cast<Site>(+order.vertices[k]);
-      if (std::ranges::find(simplex, s) == simplex.end()) rounds.sites.push_back(s);
-    }
-    rounds.begin.push_back(rounds.sites.size());
+template <class Visit>
+void each_site(const std::vector<Site>& sites, const hull::SiteRange& range, Visit&& visit) {
+  for (const Site s : sites) {
+    if (range.contains(s)) visit(s);
   }
-  return rounds;
 }
 
 /// Of which all coordinates are multiples; 0 where it is so small that it is of no use: the exact
@@ -158,6 +152,7 @@ class Construction {
   Construction(std::span<const Point3> points, const std::array<Site, 4>& simplex,
                const LiftedHullOptions& options)
       : points_(points),
+        simplex_(simplex),
         options_(options),
         facets_(points, unit_of(points, options.threads)),
         known_(options.threads > 1 ? points.size() : 0, hull::kNone),
@@ -166,9 +161,8 @@ class Construction {
     facets_.remember_sphere(simplex);
   }
 
-  void insert(const Rounds& rounds) {
-    for (std::size_t r = 0; r < rounds.count(); ++r) {
-      const std::span<const Site> round = rounds[r];
+  void insert_all() {
+    for (const InsertionRound& round : insertion_rounds(points_.size())) {
       const std::size_t threads = worth_threads(round.size(), options_.threads);
       if (threads == 1) {
         insert(round, {}, inserter_, [&](std::size_t k) { report(k); });
@@ -203,23 +197,25 @@ class Construction {
   }
 
   /// Inserts those of the range. Calls told(k) now and then, with the number of sites that are in.
-  template <class Told>
-  void insert(std::span<const Site> sites, hull::SiteRange range, Inserter& inserter,
+  template <class Sites, class Told>
+  void insert(const Sites& sites, const hull::SiteRange& range, Inserter& inserter,
               Told&& told) const {
     constexpr std::size_t kReportEvery = 65536;
     std::size_t in = 0;
-    for (const Site s : sites) {
-      if (!range.contains(s)) continue;
+    each_site(sites, range, [&](Site s) {
+      if (std::ranges::find(simplex_, s) != simplex_.end()) return;
       inserter.insert(s);
       if (in++ % kReportEvery == 0) told(in);
-    }
+    });
   }
 
   /// Each thread inserts a stretch of the curve, as far as it meets no other's. What is left then
   /// comes in stretches that begin halfway; what is still left, after that.
-  void insert_in_parallel(std::span<const Site> round, std::size_t threads) {
-    std::vector<Site> cuts(threads, 0);
-    for (std::size_t t = 1; t < threads; ++t) cuts[t] = round[round.size() * t / threads];
+  void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
+    std::vector<Site> cuts;
+    for (std::size_t t = 0; t < threads; ++t) {
+      cuts.push_back(static_cast<Site>(points_.size() * t / threads));
+    }
     std::vector<Site> left = insert_stretches(round, cuts, 0);
     if (worth_threads(left.size(), options_.threads) >= threads) {
       for (std::size_t t = 0; t < threads; ++t) {
@@ -233,7 +229,8 @@ class Construction {
 
   /// A stretch begins at each cut, the last one goes on at the curve's beginning. What no stretch
   /// could hold comes back. `in` is how many sites of the round are in already.
-  std::vector<Site> insert_stretches(std::span<const Site> sites, std::span<const Site> cuts,
+  template <class Sites>
+  std::vector<Site> insert_stretches(const Sites& sites, std::span<const Site> cuts,
                                      std::size_t in) {
     const std::size_t threads = cuts.size();
     const auto range = [&](std::size_t t) {
@@ -276,6 +273,7 @@ class Construction {
   }
 
   std::span<const Point3> points_;
+  std::array<Site, 4> simplex_;  ///< the first one, which is not inserted
   const LiftedHullOptions& options_;
   Facets facets_;
   LargeArray<FacetIndex> known_;  ///< see Inserter
@@ -292,7 +290,7 @@ LiftedHull lifted_hull(std::span<const Point3> points, const LiftedHullOptions& 
   if (simplex.size < 4) return {};
   const LargeArrayReuse reuse;
   Construction construction(points, simplex.corners, options);
-  construction.insert(rounds_without(simplex.corners, points.size()));
+  construction.insert_all();
   return construction.result();
 }
 

@@ -1,62 +1,68 @@
-// The order of insertion is a permutation in growing rounds, each by id.
+// The rounds of insertion hold each vertex once; they grow, and each is spaced evenly.
 #include "kernel/insertion_order.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace tetsculpt {
 namespace {
 
-TEST_CASE("a permutation, cut into rounds of ascending ids") {
-  for (const std::size_t n : {1u, 2u, 4u, 63u, 64u, 65u, 1000u, 20000u}) {
+std::vector<std::size_t> vertices_of(const InsertionRound& round, std::size_t begin,
+                                     std::size_t end) {
+  std::vector<std::size_t> vertices;
+  round.each(begin, end, [&](std::size_t v) { vertices.push_back(v); });
+  return vertices;
+}
+
+TEST_CASE("each vertex is in one round, in ascending order") {
+  for (const std::size_t n : {0u, 1u, 2u, 4u, 63u, 64u, 65u, 512u, 513u, 1000u, 20000u}) {
     CAPTURE(n);
-    const InsertionOrder order = insertion_order(n);
-    REQUIRE(order.round_begin.size() >= 2);
-    CHECK(order.round_begin.front() == 0);
-    CHECK(order.round_begin.back() == n);
-    for (std::size_t r = 0; r + 1 < order.round_begin.size(); ++r) {
-      REQUIRE(order.round_begin[r] <= order.round_begin[r + 1]);
-      const auto at = [&](std::size_t round) {
-        return order.vertices.begin() + static_cast<std::ptrdiff_t>(order.round_begin[round]);
-      };
-      CHECK(std::is_sorted(at(r), at(r + 1)));
+    std::vector<int> times(n, 0);
+    for (const InsertionRound& round : insertion_rounds(n)) {
+      const std::vector<std::size_t> vertices = vertices_of(round, 0, n);
+      CHECK(vertices.size() == round.size());
+      CHECK(std::ranges::adjacent_find(vertices, std::ranges::greater_equal{}) == vertices.end());
+      for (const std::size_t v : vertices) ++times[v];
     }
-    auto vertices = order.vertices;
-    std::ranges::sort(vertices);
-    std::size_t wrong = vertices.size() != n;
-    for (std::size_t i = 0; i < vertices.size(); ++i) wrong += +vertices[i] != i;
-    CHECK(wrong == 0);
-  }
-  CHECK(insertion_order(0).vertices.empty());
-}
-
-TEST_CASE("a round is about seven times as large as all before it") {
-  const InsertionOrder order = insertion_order(100000);
-  CHECK(order.round_begin.size() > 4);
-  for (std::size_t r = 2; r + 1 < order.round_begin.size(); ++r) {
-    CAPTURE(r);
-    const auto before = static_cast<double>(order.round_begin[r]);
-    const double size = static_cast<double>(order.round_begin[r + 1]) - before;
-    CHECK(size > 4 * before);
-    CHECK(size < 14 * before);
+    CHECK(std::ranges::count(times, 1) == static_cast<std::ptrdiff_t>(n));
   }
 }
 
-TEST_CASE("the vertices of a round are spaced evenly") {
-  const InsertionOrder order = insertion_order(5000);
-  for (std::size_t r = 0; r + 1 < order.round_begin.size(); ++r) {
-    const auto at = [&](std::size_t k) { return +order.vertices[k]; };
-    std::size_t nearest = 5000, farthest = 0;
-    for (std::size_t k = order.round_begin[r] + 1; k < order.round_begin[r + 1]; ++k) {
-      nearest = std::min(nearest, at(k) - at(k - 1));
-      farthest = std::max(farthest, at(k) - at(k - 1));
+TEST_CASE("parts of a round") {
+  for (const InsertionRound& round : insertion_rounds(5000)) {
+    std::vector<std::size_t> joined;
+    for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 64u}, {64u, 1001u}, {1001u, 5000u}}) {
+      const std::vector<std::size_t> part = vertices_of(round, begin, end);
+      joined.insert(joined.end(), part.begin(), part.end());
     }
+    CHECK(joined == vertices_of(round, 0, 5000));
+  }
+}
+
+TEST_CASE("a round is about seven times as large as all before it, and spaced evenly") {
+  const std::vector<InsertionRound> rounds = insertion_rounds(100000);
+  CHECK(rounds.size() > 4);
+  CHECK(rounds[0].size() <= 64);
+  std::size_t before = rounds[0].size();
+  for (std::size_t r = 1; r < rounds.size(); ++r) {
     CAPTURE(r);
+    const std::size_t size = rounds[r].size();
+    CHECK(size > 6 * before);
+    CHECK(size < 8 * before);
+    before += size;
+    const std::vector<std::size_t> vertices = vertices_of(rounds[r], 0, 100000);
+    std::size_t nearest = 100000, farthest = 0;
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+      nearest = std::min(nearest, vertices[k] - vertices[k - 1]);
+      farthest = std::max(farthest, vertices[k] - vertices[k - 1]);
+    }
     CHECK(nearest > 0);
-    CHECK(farthest <= 2 * nearest);
+    CHECK(farthest == 2 * nearest);
   }
 }
 
