@@ -46,12 +46,14 @@ struct BinaryRange {
   }
 };
 
-/// May leave out points once the range spans more than `most` orders.
+/// May leave out points once the range spans more than `most` orders. Throws InvalidPoint at the
+/// first that is not finite.
 BinaryRange range_of(std::span<const Point3> points, int threads,
                      int most = std::numeric_limits<int>::max()) {
   const auto range_of_part = [&](std::size_t begin, std::size_t end) {
     BinaryRange range;
     for (std::size_t i = begin; i < end && range.span() <= most; ++i) {
+      if (!finite(points[i])) throw InvalidPoint(i, "a coordinate is not a finite number");
       range.include(points[i].x, i);
       range.include(points[i].y, i);
       range.include(points[i].z, i);
@@ -63,14 +65,6 @@ BinaryRange range_of(std::span<const Point3> points, int threads,
     range.include(part);
   }
   return range;
-}
-
-void require_finite(std::span<const Point3> points, int threads) {
-  parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!finite(points[i])) throw InvalidPoint(i, "a coordinate is not a finite number");
-    }
-  });
 }
 
 /// The power of two nearest to none that brings the range into the exact one.
@@ -138,7 +132,6 @@ DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
   if (points.size() > kMaxPoints) throw std::length_error("more than 100 million points");
   const LargeArrayReuse reuse;
   DistinctPoints result;
-  require_finite(points, threads);
   const BinaryRange range = range_of(points, threads);
   if (range.top > range.unit) result.scale_exponent = scale_exponent(range);
   LargeArray<Point3> in_range;
