@@ -92,14 +92,14 @@ LargeArray<Point3> scaled(std::span<const Point3> points, int exponent) {
 }
 
 /// Sets points, with repetitions, and input points in the order of the curve.
-void gather(std::span<const Point3> points, std::span<const KeyedIndex> order, int threads,
+void gather(std::span<const Point3> points, std::span<const std::uint32_t> order, int threads,
             DistinctPoints& result) {
   result.points.resize(points.size());
   result.first_input.resize(points.size());
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      result.points[k] = points[order[k].index];
-      result.first_input[k] = order[k].index;
+      result.points[k] = points[order[k]];
+      result.first_input[k] = order[k];
     }
   });
 }
@@ -139,13 +139,13 @@ DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
     in_range = scaled(points, result.scale_exponent);
     points = in_range;
   }
-  const LargeArray<KeyedIndex> order = hilbert_order(points, threads);
+  const LargeArray<std::uint32_t> order = hilbert_order(points, threads);
   gather(points, order, threads, result);
   const LargeArray<std::uint32_t> vertex = merge_equal(result);
   result.vertex_of_input.resize(points.size());
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      result.vertex_of_input[order[k].index] =
+      result.vertex_of_input[order[k]] =
           VertexId{vertex.empty() ? static_cast<std::uint32_t>(k) : vertex[k]};
     }
   });
@@ -163,9 +163,9 @@ std::optional<std::string> broken_invariant(const DistinctPoints& distinct,
   const auto& points = distinct.points;
   if (distinct.vertex_of_input.size() != input.size()) return "an input point has no vertex";
   if (distinct.first_input.size() != points.size()) return "a vertex has no input point";
-  const LargeArray<KeyedIndex> order = hilbert_order(points);
+  const LargeArray<std::uint32_t> order = hilbert_order(points);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (order[v].index != v) return "vertex " + std::to_string(v) + " is out of order";
+    if (order[v] != v) return "vertex " + std::to_string(v) + " is out of order";
     if (v > 0 && points[v - 1] == points[v]) {
       return "vertices " + std::to_string(v - 1) + " and " + std::to_string(v) + " are one point";
     }

@@ -13,6 +13,7 @@
 
 #include "kernel/box.h"
 #include "kernel/parallel.h"
+#include "kernel/radix_sort.h"
 
 namespace tetsculpt {
 namespace {
@@ -129,6 +130,16 @@ class Cells {
   double cells_per_unit_;
 };
 
+/// Most points are told apart by the high bits of their places on the curve: those and the index
+/// are one number, half as much to move as both apart.
+constexpr int kIndexBits = 27;
+constexpr int kHighBits = 64 - kIndexBits;
+
+std::uint64_t high_bits(std::uint64_t number) { return number >> kIndexBits; }
+std::uint32_t index_of(std::uint64_t number) {
+  return static_cast<std::uint32_t>(number & ((std::uint64_t{1} << kIndexBits) - 1));
+}
+
 /// Sorts each run of equal keys by the points themselves.
 void sort_within_cells(std::span<const Point3> points, std::span<KeyedIndex> order) {
   const auto less = [&](const KeyedIndex& a, const KeyedIndex& b) {
@@ -144,24 +155,56 @@ void sort_within_cells(std::span<const Point3> points, std::span<KeyedIndex> ord
   }
 }
 
+/// Puts points that agree in the high bits in order.
+void sort_by_place(std::span<const Point3> points, const Cells& cells,
+                   std::span<std::uint32_t> order) {
+  LargeArray<KeyedIndex> items(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    items[k] = {hilbert_index(cells(points[order[k]])), order[k]};
+  }
+  constexpr std::size_t kFew = 256;
+  if (items.size() > kFew) {
+    radix_sort(items);
+  } else {
+    std::ranges::sort(items, {}, &KeyedIndex::key);
+  }
+  sort_within_cells(points, items);
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = items[k].index;
+}
+
 }  // namespace
 
-LargeArray<KeyedIndex> hilbert_order(std::span<const Point3> points, int threads) {
-  LargeArray<KeyedIndex> order(points.size());
+LargeArray<std::uint32_t> hilbert_order(std::span<const Point3> points, int threads) {
+  LargeArray<std::uint32_t> order(points.size());
   if (points.empty()) return order;
   const Cells cells(box_of(points, threads));
+  LargeArray<std::uint64_t> numbers(points.size());
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      order[i] = {hilbert_index(cells(points[i])), static_cast<std::uint32_t>(i)};
+      const std::uint64_t place = hilbert_index(cells(points[i]));
+      numbers[i] = place >> (3 * kBitsPerAxis - kHighBits) << kIndexBits | i;
     }
   });
-  radix_sort(order, threads);
+  radix_sort(numbers, threads);
+  const auto agree = [&](std::size_t a, std::size_t b) {
+    return high_bits(numbers[a]) == high_bits(numbers[b]);
+  };
   std::vector<std::size_t> cuts = range_cuts(order.size(), threads);
-  for (std::size_t& cut : cuts) {  // no cell is cut in two
-    while (cut > 0 && cut < order.size() && order[cut].key == order[cut - 1].key) ++cut;
+  for (std::size_t& cut : cuts) {  // those that agree are not cut in two
+    while (cut > 0 && cut < order.size() && agree(cut - 1, cut)) ++cut;
   }
   parallel_each(cuts.size() - 1, [&](std::size_t part) {
-    sort_within_cells(points, std::span(order).subspan(cuts[part], cuts[part + 1] - cuts[part]));
+    for (std::size_t first = cuts[part]; first < cuts[part + 1];) {
+      std::size_t last = first;
+      do {
+        order[last] = index_of(numbers[last]);
+        ++last;
+      } while (last < cuts[part + 1] && agree(first, last));
+      if (last - first > 1) {
+        sort_by_place(points, cells, std::span(order).subspan(first, last - first));
+      }
+      first = last;
+    }
   });
   return order;
 }

@@ -22,25 +22,30 @@ constexpr int kDigits = 3;
 constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
 using Histogram = std::array<std::size_t, kBuckets>;
 
+std::uint64_t key_of(const KeyedIndex& item) { return item.key; }
+std::uint64_t key_of(std::uint64_t item) { return item; }
+
 /// Sorts, stably, items of which few are out of order.
-void insertion_sort(KeyedIndex* first, KeyedIndex* last) {
-  for (KeyedIndex* i = first + 1; i < last; ++i) {
-    const KeyedIndex item = *i;
-    KeyedIndex* to = i;
-    for (; to > first && item.key < to[-1].key; --to) *to = to[-1];
+template <class Item>
+void insertion_sort(Item* first, Item* last) {
+  for (Item* i = first + 1; i < last; ++i) {
+    const Item item = *i;
+    Item* to = i;
+    for (; to > first && key_of(item) < key_of(to[-1]); --to) *to = to[-1];
     *to = item;
   }
 }
 
 /// Sorts the items that agree in all bits from `low` up.
-void sort_by_lower_bits(std::span<KeyedIndex> items, int low) {
+template <class Item>
+void sort_by_lower_bits(std::span<Item> items, int low) {
   constexpr std::ptrdiff_t kFew = 24;
-  KeyedIndex* const end = items.data() + items.size();
-  for (KeyedIndex* first = items.data(); first != end;) {
-    KeyedIndex* last = first + 1;
-    while (last != end && first->key >> low == last->key >> low) ++last;
+  Item* const end = items.data() + items.size();
+  for (Item* first = items.data(); first != end;) {
+    Item* last = first + 1;
+    while (last != end && key_of(*first) >> low == key_of(*last) >> low) ++last;
     if (last - first > kFew) {
-      const auto less = [](const KeyedIndex& a, const KeyedIndex& b) { return a.key < b.key; };
+      const auto less = [](const Item& a, const Item& b) { return key_of(a) < key_of(b); };
       // Many that are equal, as on a lattice, are.
       if (!std::is_sorted(first, last, less)) std::stable_sort(first, last, less);
     } else {
@@ -54,26 +59,29 @@ void sort_by_lower_bits(std::span<KeyedIndex> items, int low) {
 struct Digits {
   int low;  ///< bits below the lowest digit
 
-  explicit Digits(std::span<const KeyedIndex> items, int threads) {
+  template <class Item>
+  Digits(const LargeArray<Item>& items, int threads) {
     const auto differing = [&](std::size_t begin, std::size_t end) {
       std::uint64_t bits = 0;
-      for (std::size_t k = begin; k < end; ++k) bits |= items[k].key ^ items[0].key;
+      for (std::size_t k = begin; k < end; ++k) bits |= key_of(items[k]) ^ key_of(items[0]);
       return bits;
     };
     std::uint64_t bits = 0;
     for (const auto b : parallel_results(range_cuts(items.size(), threads), differing)) bits |= b;
     low = std::max(0, static_cast<int>(std::bit_width(bits)) - kDigits * kDigitBits);
   }
-  std::size_t operator()(const KeyedIndex& item, int d) const {
-    return static_cast<std::size_t>(item.key >> (low + d * kDigitBits)) & (kBuckets - 1);
+  template <class Item>
+  std::size_t operator()(const Item& item, int d) const {
+    return static_cast<std::size_t>(key_of(item) >> (low + d * kDigitBits)) & (kBuckets - 1);
   }
 };
 
 /// Sorts items with the help of as much room; true if they are there afterwards.
-bool sort_with(std::span<KeyedIndex> room, std::span<KeyedIndex> items, const Digits& digit) {
+template <class Item>
+bool sort_with(std::span<Item> room, std::span<Item> items, const Digits& digit) {
   if (items.empty()) return false;
   std::vector<Histogram> histogram(kDigits);
-  for (const KeyedIndex& item : items) {
+  for (const Item& item : items) {
     for (int d = 0; d < kDigits; ++d) ++histogram[static_cast<std::size_t>(d)][digit(item, d)];
   }
   bool moved = false;
@@ -82,7 +90,7 @@ bool sort_with(std::span<KeyedIndex> room, std::span<KeyedIndex> items, const Di
     if (start[digit(items[0], d)] == items.size()) continue;
     std::size_t sum = 0;
     for (std::size_t& s : start) sum += std::exchange(s, sum);
-    for (const KeyedIndex& item : items) room[start[digit(item, d)]++] = item;
+    for (const Item& item : items) room[start[digit(item, d)]++] = item;
     std::swap(room, items);
     moved = !moved;
   }
@@ -92,7 +100,8 @@ bool sort_with(std::span<KeyedIndex> room, std::span<KeyedIndex> items, const Di
 
 /// Puts the items in ranges of their highest digit, as many as there are threads and about as large
 /// as each other. Returns where they begin, and the end.
-std::vector<std::size_t> split_into(std::span<KeyedIndex> to, std::span<const KeyedIndex> from,
+template <class Item>
+std::vector<std::size_t> split_into(LargeArray<Item>& to, const LargeArray<Item>& from,
                                     const Digits& digit, const std::vector<std::size_t>& cuts) {
   const auto count = [&](std::size_t begin, std::size_t end) {
     Histogram histogram{};
@@ -111,31 +120,35 @@ std::vector<std::size_t> split_into(std::span<KeyedIndex> to, std::span<const Ke
   begin.resize(cuts.size(), sum);
   parallel_each(cuts.size() - 1, [&](std::size_t range) {
     std::size_t at = begin[range];
-    for (const KeyedIndex& item : from) {
+    for (const Item& item : from) {
       if (range_of[digit(item, kDigits - 1)] == range) to[at++] = item;
     }
   });
   return begin;
 }
 
-}  // namespace
-
-void radix_sort(LargeArray<KeyedIndex>& items, int threads) {
+template <class Item>
+void sort(LargeArray<Item>& items, int threads) {
   if (items.empty()) return;
   const Digits digits(items, threads);
-  LargeArray<KeyedIndex> other(items.size());
+  LargeArray<Item> other(items.size());
   const std::vector<std::size_t> cuts = range_cuts(items.size(), threads);
   if (cuts.size() == 2) {
-    if (sort_with(other, items, digits)) items.swap(other);
+    if (sort_with(std::span(other), std::span(items), digits)) items.swap(other);
     return;
   }
   const std::vector<std::size_t> begin = split_into(other, items, digits, cuts);
   parallel_each(cuts.size() - 1, [&](std::size_t range) {
-    const auto in = [&](LargeArray<KeyedIndex>& of) {
+    const auto in = [&](LargeArray<Item>& of) {
       return std::span(of).subspan(begin[range], begin[range + 1] - begin[range]);
     };
     if (!sort_with(in(items), in(other), digits)) std::ranges::copy(in(other), in(items).begin());
   });
 }
+
+}  // namespace
+
+void radix_sort(LargeArray<KeyedIndex>& items, int threads) { sort(items, threads); }
+void radix_sort(LargeArray<std::uint64_t>& items, int threads) { sort(items, threads); }
 
 }  // namespace tetsculpt

@@ -17,5 +17,7 @@ struct KeyedIndex {
 /// the highest one down that differs anywhere; memory for a second copy. On up to `threads`
 /// threads, each of which takes a range of keys, for one pass more.
 void radix_sort(LargeArray<KeyedIndex>& items, int threads = 1);
+/// The same for numbers.
+void radix_sort(LargeArray<std::uint64_t>& items, int threads = 1);
 
 }  // namespace tetsculpt

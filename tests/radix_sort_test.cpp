@@ -39,6 +39,18 @@ TEST_CASE("the same as a stable sort, whichever bits the keys use") {
   }
 }
 
+TEST_CASE("numbers") {
+  for (const int threads : {1, 2, 3}) {
+    point_sets::Random random(7);
+    LargeArray<std::uint64_t> numbers(20000);
+    for (std::uint64_t& n : numbers) n = random.bits() >> random.below(64);
+    LargeArray<std::uint64_t> expected = numbers;
+    std::ranges::sort(expected);
+    radix_sort(numbers, threads);
+    CHECK(numbers == expected);
+  }
+}
+
 TEST_CASE("sorted and reversed keys") {
   LargeArray<KeyedIndex> items;
   for (std::uint32_t i = 0; i < 3000; ++i) items.push_back({std::uint64_t{i} << 20, i});
