@@ -36,8 +36,8 @@ void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
 /// Frees all but the first `bytes` bytes, where the system can do that.
 void shrink_large(void* memory, std::size_t bytes) noexcept;
-/// [begin, end) of large memory is about to be used for the first time: in small pages, if the large
-/// ones are slow to come. Several threads may do so, each with memory of its own.
+/// [begin, end) of large memory is about to be used for the first time: in small pages, if the
+/// large ones are slow to come. Several threads may do so, each with memory of its own.
 void touch_large(void* memory, std::size_t begin, std::size_t end) noexcept;
 
 /// Sizes from which large pages pay; smaller arrays use std::allocator.

@@ -6,10 +6,10 @@
 // orphans on.
 //
 // Departures: the sets of points that see a facet hold one point at a time, neighbours on a Hilbert
-// curve within a round of a biased random order (kernel/insertion_order). It is never handed on,
-// instead of 4 ln n times, and the facets in use stay in cache; its first facet is found by walking
-// down the power of the facets' spheres, from where the last point went in. No point is ever
-// discarded: all lifted points are extreme.
+// curve within rounds that take every eighth point first (kernel/insertion_order). It is never
+// handed on, instead of 4 ln n times, and the facets in use stay in cache; its first facet is found
+// by walking down the power of the facets' spheres, from where the last point went in. No point is
+// ever discarded: all lifted points are extreme.
 //
 // What it brought, hull alone: one cache line per facet, hyperplane, corners and neighbours
 // together, instead of five 15 %; stacks without checks 7 %, on cache lines of their own 4 %;
@@ -29,14 +29,22 @@
 // cube; orders of four corners from a table 4 %, buckets sorted by counting 3 and 2 %, both four at
 // a time 3 %; facets written to only when they are used 6 %; the cone put up straight from the
 // ridges that are cut, numbers of corners in 32 bits, 5 %; points in large pages, too, 3 to 8 % at
-// a million.
-//     Without gain: -march=native; neighbours of visible facets asked for two facets ahead (2 to
-// 7 % slower); corners numbered by the places they have in the cone, which spread the table of
-// pairs over the nearest cache (4 % slower), by a hash table in that cache, or by the lesser of
-// what is known and the count, where each number waits for the one before (9 % slower); spokes not
-// kept but computed per facet (4 % slower); the error bound's square root by halving the exponent;
-// output by lists per lowest corner, two passes less (half as slow again). With -O2 instead of -O3
-// a fifth is lost.
+// a million; rounds spaced evenly along the curve instead of by coins 2 to 5 %; a cone in two loops
+// less 4 %, see kernel/hull_cone; walks to the best of four without branches on which 2 %; heights
+// in fewer cycles, though not fewer instructions, and regions grown from far inside 3 %.
+//     What an insertion takes is waiting more than work. A sixth more instructions where a region
+// is grown cost it 1 %, twelve cycles more from one facet to the next 3 %: the six or seven steps
+// from the first facet to the last wait for each other. A tenth fewer instructions where corners
+// are numbered and cones linked brought 1 %.
+//     Without gain: -march=native; facets that the next round's points will find asked for ahead,
+// by what is known of their neighbours on the curve; visible facets listed one by one instead of
+// four at a time (a quarter slower, because loads then meet stores that are not done); neighbours
+// of visible facets asked for two facets ahead (2 to 7 % slower); corners numbered by the places
+// they have in the cone, which spread the table of pairs over the nearest cache (4 % slower), by a
+// hash table in that cache, or by the lesser of what is known and the count, where each number
+// waits for the one before (9 % slower); spokes not kept but computed per facet (4 % slower); the
+// error bound's square root by halving the exponent; output by lists per lowest corner, two passes
+// less (half as slow again). With -O2 instead of -O3 a fifth is lost.
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
 // thread inserts one. What would touch another's facets, 5 % of the points of a cube and 25 % of a

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "kernel/distinct_points.h"
-#include "kernel/hull_facets.h"
 #include "kernel/four_lanes.h"
 #include "kernel/hull_cone_lanes.h"
+#include "kernel/hull_facets.h"
 #include "tests/support/exact_predicates.h"
 #include "tests/support/point_sets.h"
 
