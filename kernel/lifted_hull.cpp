@@ -62,6 +62,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -128,16 +129,13 @@ FacetRoom make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
   return room;
 }
 
-/// Calls visit(s) on each of the range.
+/// Calls visit(s) on each of the range, which in a round goes on to its end at most.
 template <class Visit>
 void each_site(const InsertionRound& round, const hull::SiteRange& range, Visit&& visit) {
-  const auto visit_site = [&](std::size_t v) { visit(static_cast<Site>(v)); };
-  if (range.begin <= range.end) {
-    round.each(range.begin, std::min<std::size_t>(range.end, round.vertex_count), visit_site);
-  } else {
-    round.each(range.begin, round.vertex_count, visit_site);
-    round.each(0, range.end, visit_site);
-  }
+  assert(range.begin <= range.end || range.end == 0);
+  const std::size_t end = range.end == 0 ? round.vertex_count : range.end;
+  round.each(range.begin, std::min(end, round.vertex_count),
+             [&](std::size_t v) { visit(static_cast<Site>(v)); });
 }
 
 template <class Visit>
