@@ -36,10 +36,10 @@ class Cone {
   Facets& facets_;
   bool by_four_;
   Stack<ConeFacet> cone_;
-  Stack<Spoke> spokes_;               ///< from the apex to corners of the cavity
-  const SpokePlace* places_;          ///< per number of a spoke
-  std::vector<SpokePlace> in_a_row_;  ///< places for many
-  bool in_table_ = true;              ///< or too many
+  Stack<Spoke> spokes_;                 ///< from the apex to corners of the cavity
+  const SpokePlace* places_ = nullptr;  ///< per number of a spoke
+  std::vector<SpokePlace> in_a_row_;    ///< places for many
+  bool in_table_ = true;                ///< or too many
   HalfRidges half_ridges_;
   Stack<Ridge> half_ridge_room_;
   /// Per site, after the one at infinity: its spoke in the last cavity that had it for a corner.

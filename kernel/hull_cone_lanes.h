@@ -31,7 +31,7 @@ void set_spokes(Facets& facets, std::span<const Point3> points, Site apex,
                 std::span<const Ridge> visible, const SpokePlace* places, SpokePlace* spoke_of,
                 Spoke* spokes);
 /// The same four at a time, where has_four_lanes(): behind the visible facets the first of them
-/// follows again, up to a multiple of four and one.
+/// follows again, up to a multiple of four and one, each with a place.
 void set_spokes_by_four(Facets& facets, std::span<const Point3> points, Site apex,
                         std::span<const Ridge> visible, const SpokePlace* places,
                         SpokePlace* spoke_of, Spoke* spokes);

@@ -21,7 +21,7 @@
 // facet's may then be off by a sixth, of which it has ten times to spare.)
 //     For an infinite facet C is (0, 0, 0, R^2) and n, of the length 2^60 R |A x B| / (|A| |B|), is
 // off by 10 u 2^60 R: n.d by 36 2^60 u R^2, to which neither w nor p's lift, below R^2, add much.
-//     By four, kernel/hull_lanes multiplies and adds in one: no path has more roundings.
+//     By four, kernel/hull_cone_lanes multiplies and adds in one: no path has more roundings.
 //     Moved to the middle, n becomes n + 2 p and the offset |p|^2 - (n + 2 p).p: some 20 roundings
 // of |n| R + R^2, and 2^-40 of the offset, which is no more than that, for the bits that hold the
 // exponent. 2^-39 (R (|nx| + |ny| + |nz|) + 4 R^2) is enough for all. A sample must be 10^5 times

@@ -62,7 +62,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
 
   std::span<const Point3> points_;
   Facets& facets_;
-  bool by_four_;  ///< see kernel/hull_lanes
+  bool by_four_;  ///< see kernel/hull_lanes and kernel/hull_cone_lanes
   SiteRange own_;
   FacetIndex last_ = 0;      ///< lives, and its corners are in the range; kNone if there is none
   std::vector<Ridge> free_;  ///< of facets that died or were never used; the last are next

@@ -147,8 +147,8 @@ TETSCULPT_FOUR_LANES bool expand_by_four(Facets& facets, const LiftedDifference&
   return true;
 }
 
-TETSCULPT_FOUR_LANES FacetIndex nearer_by_four(const Facets& facets, FacetIndex f,
-                                               const LiftedDifference& q, const SiteRange& own) {
+TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
+                                           const LiftedDifference& q, const SiteRange& own) {
   const FourRows queries = four_times(q);
   const Facet* const facet = &facets[0];
   const bool all_own = own.all();
@@ -167,11 +167,11 @@ TETSCULPT_FOUR_LANES FacetIndex nearer_by_four(const Facets& facets, FacetIndex 
     // The highest is far inside what q sees: all of that is met in fewer steps.
     unsigned best = visible & highest;
     if (best == 0) best = visible != 0 ? visible : nearer & highest;
-    if (best == 0) return f;
+    if (best == 0) return {f, false};
     const FacetIndex g = facet_of(ridges[static_cast<std::size_t>(std::countr_zero(best))]);
-    if (!all_own && !own.contains(facet[g].links.corners)) return f;
-    if (visible != 0) return g;
-    if (facet[g].links.infinite()) return f;
+    if (!all_own && !own.contains(facet[g].links.corners)) return {f, false};
+    if (visible != 0) return {g, true};
+    if (facet[g].links.infinite()) return {f, false};
     f = g;
     height = of_four;
   }

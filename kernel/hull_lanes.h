@@ -24,10 +24,15 @@ bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own,
 bool expand_by_four(Facets& facets, const LiftedDifference& point, const SiteRange& own,
                     std::size_t begin, Region& region);
 
-/// From f to neighbours above which q is higher, each time to the highest of four, where
-/// has_four_lanes(): to a facet that q sees, or to one where that would not be higher, or infinite,
-/// or not within the range.
-FacetIndex nearer_by_four(const Facets& facets, FacetIndex f, const LiftedDifference& q,
-                          const SiteRange& own);
+/// Where a walk went, and whether q clearly sees that facet.
+struct Nearer {
+  FacetIndex facet;
+  bool seen;
+};
+/// From f, which is finite, to neighbours above which q is higher, each time to the highest of
+/// four, where has_four_lanes(): to a facet that q sees, or to a finite one where that would not be
+/// higher, or infinite, or not within the range.
+Nearer nearer_by_four(const Facets& facets, FacetIndex f, const LiftedDifference& q,
+                      const SiteRange& own);
 
 }  // namespace tetsculpt::hull

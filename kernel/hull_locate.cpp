@@ -38,7 +38,11 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
     if (!own(f)) return kNone;
   }
   const LiftedDifference point = facets_.lifted(points_[q]);
-  if (by_four_) f = nearer_by_four(facets_, f, point, own_);
+  if (by_four_) {
+    const Nearer nearer = nearer_by_four(facets_, f, point, own_);
+    if (nearer.seen) return nearer.facet;  // it may be infinite
+    f = nearer.facet;
+  }
   Facets::Height h = facets_.height(f, point);
   if (h.value > h.error) return f;
   double height = h.value;  // the negative power

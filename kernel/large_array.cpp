@@ -143,7 +143,7 @@ void* merged(std::vector<void*>& kept, void* block) noexcept {
     }
     const std::size_t sum = size_of(other) + size_of(mine);
     block = std::min(other, mine);
-    size_of(block) = sum;
+    set_header(block, sum);
     kept[k] = kept.back();
     kept.pop_back();
   }

@@ -64,6 +64,15 @@ TEST_CASE("the same for every order of the input and every scale") {
   }
 }
 
+TEST_CASE("the same on any number of threads, points that agree in the high bits or not") {
+  std::vector<Point3> points = point_sets::uniform_cube(20000, 6);
+  for (const double far : {0.5, 0x1p14, 0x1p30}) {
+    points.push_back({far, far, far});
+    const auto expected = hilbert_order(points);
+    for (const int threads : {2, 3, 4}) CHECK(hilbert_order(points, threads) == expected);
+  }
+}
+
 TEST_CASE("in one cell: lexicographic, equal points by index") {
   // The far point makes one cell of all others.
   const std::vector<Point3> points{{1, 2, 3}, {1, 2, 2}, {1e9, 0, 0}, {0, 5, 0}, {1, 2, 3}};

@@ -32,14 +32,16 @@ void walk_all(Facets& facets, Site apex, const SiteRange& own, Walks& walks) {
   const auto in_range = [&](FacetIndex f) { return own.contains(facets.corners(f)); };
   for (FacetIndex f = 0; f < facets.size(); ++f) {
     if (!in_range(f) || facets.infinite(f)) continue;
-    const FacetIndex end = hull::nearer_by_four(facets, f, q, own);
+    const auto [end, seen] = hull::nearer_by_four(facets, f, q, own);
     const Facets::Height start = facets.height(f, q);
     const Facets::Height h = facets.height(end, q);
     walks.wrong += !in_range(end);
-    if (h.value > h.error) {
+    if (seen) {
       ++walks.seen;
+      walks.wrong += !facets.visible(end, apex);
       continue;
     }
+    walks.wrong += facets.infinite(end);
     walks.wrong += h.value < start.value - (start.error + h.error);
     // The highest neighbour is no higher, or not to be entered.
     double highest = -HUGE_VAL;

@@ -17,6 +17,7 @@ foreach(
   predicates_symmetry_test
   hull_bucket_test
   hull_cone_lanes_test
+  hull_cone_test
   hull_facets_height_test
   hull_four_lanes_test
   hull_lanes_test
