@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdint>
 
 namespace tetsculpt::hull {
 namespace {
@@ -30,7 +31,7 @@ Cone::Cone(std::span<const Point3> points, Facets& facets, bool by_four)
 void Cone::put_up(Site apex, Region& region, std::span<const Ridge> free) {
   assert(free.size() == region.cut.size());
   set_spokes(apex, region);
-  if (in_table_) {
+  if (half_ridges_.used()) {
     put_up_facets<true>(apex, region, free.data());
   } else {
     put_up_facets<false>(apex, region, free.data());
@@ -46,25 +47,23 @@ void Cone::set_spokes(Site apex, Region& region) {
   Ridge* const visible = region.visible.room_for(size + 3);
   for (std::size_t k = 0; k < 3; ++k) visible[size + k] = visible[0];
   const std::size_t count = (size + 3 + 3) / 4 * 4;
-  place_spokes(count);
-  const SpokePlace last = places_[count - 1];
+  const SpokePlace* const places = places_for(count);
+  const SpokePlace last = places[count - 1];
   Spoke* const spokes = spokes_.room_for(last / 4 + 1);
   const auto set = by_four_ ? set_spokes_by_four : hull::set_spokes;
-  set(facets_, points_, apex, {visible, size}, places_, spoke_of_.data(), spokes);
+  set(facets_, points_, apex, {visible, size}, places, spoke_of_.data(), spokes);
   for (const Ridge r : region.unclear) facets_.mark(facet_of(r)) = Mark::kUnmet;
-  half_ridges_ =
-      in_table_ ? HalfRidges(half_ridge_room_.room_for(HalfRidges::size(last))) : HalfRidges();
+  half_ridges_ = count <= kTabled ? HalfRidges(half_ridge_room_.room_for(HalfRidges::size(last)))
+                                  : HalfRidges();
 }
 
-/// Places for so many spokes.
-void Cone::place_spokes(std::size_t count) {
-  in_table_ = count <= kTabled;
-  places_ = kSpread.data();
-  if (in_table_) return;
+/// Where so many spokes go, in ascending order.
+const SpokePlace* Cone::places_for(std::size_t count) {
+  if (count <= kTabled) return kSpread.data();
   for (std::size_t k = in_a_row_.size(); k < count; ++k) {
     in_a_row_.push_back(static_cast<SpokePlace>(4 * k));
   }
-  places_ = in_a_row_.data();
+  return in_a_row_.data();
 }
 
 /// The facets, linked to those outside; notes what is to be linked among them.
@@ -75,6 +74,7 @@ void Cone::put_up_facets(Site apex, const Region& region, const Ridge* free) {
   static constexpr std::uint8_t kOthers[4][4] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
   const std::size_t size = region.cut.size();
   ConeFacet* const cone = cone_.room_for(size + 3);
+  SpokePlace* const spokes = spoke_of_.data();
   for (std::size_t k = 0; k < size; ++k) {
     const Ridge inner = region.cut[k];
     const FacetLinks& seen = facets_[facet_of(inner)].links;
@@ -87,9 +87,9 @@ void Cone::put_up_facets(Site apex, const Region& region, const Ridge* free) {
     facets_.corners(f) = {apex, a, b, c};
     facets_.neighbors(f)[0] = outer;
     facets_.neighbors(facet_of(outer))[corner_of(outer)] = ridge(f, 0);
-    const SpokePlace to_a = spoke_of(a);
-    const SpokePlace to_b = spoke_of(b);
-    const SpokePlace to_c = spoke_of(c);
+    const SpokePlace to_a = spoke_of(spokes, a);
+    const SpokePlace to_b = spoke_of(spokes, b);
+    const SpokePlace to_c = spoke_of(spokes, c);
     cone[k] = {f, {to_a, to_b, to_c}};
     if constexpr (kInTable) {
       half_ridges_(to_c, to_b) = ridge(f, 1);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,25 +24,21 @@ class Cone {
   std::span<const ConeFacet> facets() const { return cone_.held(); }
 
  private:
-  void place_spokes(std::size_t count);
+  const SpokePlace* places_for(std::size_t count);
   void set_spokes(Site apex, Region& region);
   template <bool kInTable>
   void put_up_facets(Site apex, const Region& region, const Ridge* free);
   void link_by_sorting();
-  SpokePlace& spoke_of(Site s) { return spoke_of_.data()[static_cast<std::int32_t>(s) + 1]; }
 
   std::span<const Point3> points_;
   Facets& facets_;
   bool by_four_;
   Stack<ConeFacet> cone_;
-  Stack<Spoke> spokes_;                 ///< from the apex to corners of the cavity
-  const SpokePlace* places_ = nullptr;  ///< per number of a spoke
-  std::vector<SpokePlace> in_a_row_;    ///< places for many
-  bool in_table_ = true;                ///< or too many
-  HalfRidges half_ridges_;
+  Stack<Spoke> spokes_;               ///< from the apex to corners of the cavity
+  std::vector<SpokePlace> in_a_row_;  ///< places for many
+  HalfRidges half_ridges_;            ///< not used where there are many
   Stack<Ridge> half_ridge_room_;
-  /// Per site, after the one at infinity: its spoke in the last cavity that had it for a corner.
-  LargeArray<SpokePlace> spoke_of_;
+  LargeArray<SpokePlace> spoke_of_;  ///< in the last cavity that had the site for a corner
 };
 
 }  // namespace tetsculpt::hull

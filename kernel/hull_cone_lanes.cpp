@@ -1,6 +1,8 @@
 #include "kernel/hull_cone_lanes.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -24,11 +26,6 @@ inline Site corner_met(Facets& facets, Ridge r) {
   return facets.corners(facet_of(r))[corner_of(r)];
 }
 
-/// Per site, after the one at infinity.
-inline SpokePlace& entry(SpokePlace* spoke_of, Site s) {
-  return spoke_of[static_cast<std::int32_t>(s) + 1];
-}
-
 inline void link(Facets& facets, const ConeFacet& c, const HalfRidges& half_ridges) {
   const auto& to = c.spokes;
   auto& neighbors = facets.neighbors(c.facet);
@@ -40,11 +37,11 @@ inline void link(Facets& facets, const ConeFacet& c, const HalfRidges& half_ridg
 /// To any site in the place of infinity.
 TETSCULPT_FOUR_LANES inline void set_four_spokes(std::span<const Point3> points, const Point3& apex,
                                                  const std::array<Site, 4>& sites,
-                                                 const SpokePlace* places, SpokePlace* spoke_of,
+                                                 const SpokePlace* places, SpokePlace* table,
                                                  Spoke* spokes) {
   const auto last = static_cast<Site>(points.size() - 1);
   const auto point = [&](std::size_t i) -> const Point3& {
-    entry(spoke_of, sites[i]) = places[i];
+    spoke_of(table, sites[i]) = places[i];
     return points[std::min(sites[i], last)];
   };
   const Point3& a = point(0);
@@ -122,10 +119,10 @@ TETSCULPT_FOUR_LANES inline void set_four(Facets& facets, const std::array<Facet
 }  // namespace
 
 void set_spokes(Facets& facets, std::span<const Point3> points, Site apex,
-                std::span<const Ridge> visible, const SpokePlace* places, SpokePlace* spoke_of,
+                std::span<const Ridge> visible, const SpokePlace* places, SpokePlace* table,
                 Spoke* spokes) {
   const auto set = [&](Site s) {
-    entry(spoke_of, s) = *places;
+    spoke_of(table, s) = *places;
     spoke_at(spokes, *places++) =
         s == kAtInfinity ? facets.spoke_to_infinity() : lifted_difference(points[s], points[apex]);
   };
@@ -136,20 +133,20 @@ void set_spokes(Facets& facets, std::span<const Point3> points, Site apex,
 
 TETSCULPT_FOUR_LANES void set_spokes_by_four(Facets& facets, std::span<const Point3> points,
                                              Site apex, std::span<const Ridge> visible,
-                                             const SpokePlace* places, SpokePlace* spoke_of,
+                                             const SpokePlace* places, SpokePlace* table,
                                              Spoke* spokes) {
   const Point3 p = points[apex];
-  entry(spoke_of, kAtInfinity) = kNone;
-  set_four_spokes(points, p, facets.corners(facet_of(visible[0])), places, spoke_of, spokes);
+  spoke_of(table, kAtInfinity) = kNone;
+  set_four_spokes(points, p, facets.corners(facet_of(visible[0])), places, table, spokes);
   facets.mark(facet_of(visible[0])) = Mark::kUnmet;
   for (std::size_t k = 1; k < visible.size(); k += 4) {
     const Ridge* const four = &visible[k];
     const std::array<Site, 4> sites{corner_met(facets, four[0]), corner_met(facets, four[1]),
                                     corner_met(facets, four[2]), corner_met(facets, four[3])};
     places += 4;
-    set_four_spokes(points, p, sites, places, spoke_of, spokes);
+    set_four_spokes(points, p, sites, places, table, spokes);
   }
-  const SpokePlace infinity = entry(spoke_of, kAtInfinity);
+  const SpokePlace infinity = spoke_of(table, kAtInfinity);
   if (infinity != kNone) spoke_at(spokes, infinity) = facets.spoke_to_infinity();
 }
 

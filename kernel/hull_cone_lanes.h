@@ -15,6 +15,11 @@ namespace tetsculpt::hull {
 /// Where a spoke is: so many doubles behind the first one. Spokes need not be one behind the other.
 using SpokePlace = std::uint32_t;
 
+/// Where a site's spoke is, in a table that holds the one to infinity before all others.
+inline SpokePlace& spoke_of(SpokePlace* table, Site s) {
+  return table[static_cast<std::int32_t>(s) + 1];
+}
+
 /// A new facet through an apex, its first corner, and a ridge of the horizon.
 struct ConeFacet {
   FacetIndex facet;
@@ -28,13 +33,13 @@ struct ConeFacet {
 /// that is not new, the later place counts. `spoke_of` gets the place per site, after the one at
 /// infinity.
 void set_spokes(Facets& facets, std::span<const Point3> points, Site apex,
-                std::span<const Ridge> visible, const SpokePlace* places, SpokePlace* spoke_of,
+                std::span<const Ridge> visible, const SpokePlace* places, SpokePlace* table,
                 Spoke* spokes);
 /// The same four at a time, where has_four_lanes(): behind the visible facets the first of them
 /// follows again, up to a multiple of four and one, each with a place.
 void set_spokes_by_four(Facets& facets, std::span<const Point3> points, Site apex,
-                        std::span<const Ridge> visible, const SpokePlace* places,
-                        SpokePlace* spoke_of, Spoke* spokes);
+                        std::span<const Ridge> visible, const SpokePlace* places, SpokePlace* table,
+                        Spoke* spokes);
 
 /// Each directed edge of a horizon belongs to one facet of the cone, its reverse to the neighbour:
 /// a table by pairs of spokes, in which every entry that is read was written just before.

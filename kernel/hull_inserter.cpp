@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace tetsculpt::hull {
+
 Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetRoom> rooms,
                    bool by_four, std::span<FacetIndex> known)
     : points_(points),

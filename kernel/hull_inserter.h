@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "kernel/hull_cone.h"
 #include "kernel/hull_facets.h"
 #include "kernel/hull_region.h"
-#include "kernel/large_array.h"
 #include "kernel/point.h"
 
 /// Quickhull with one point at a time. Internal to kernel/lifted_hull.

@@ -2,15 +2,11 @@
 // functions for AVX2 are told to use it, and only where has_four_lanes() are they called.
 #include "kernel/hull_lanes.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <type_traits>
 
 #include "kernel/four_rows.h"
 #include "kernel/hull_region.h"

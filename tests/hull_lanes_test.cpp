@@ -13,14 +13,8 @@
 #include "tests/support/hull_regions.h"
 #include "tests/support/point_sets.h"
 
-namespace tetsculpt {
+namespace tetsculpt::hull {
 namespace {
-
-using hull::FacetIndex;
-using hull::Facets;
-using hull::Ridge;
-using hull::Site;
-using hull::SiteRange;
 
 struct Walks {
   std::size_t seen = 0, stuck = 0, at_border = 0, wrong = 0;
@@ -28,11 +22,11 @@ struct Walks {
 
 /// From every facet of the range towards the last site.
 void walk_all(Facets& facets, Site apex, const SiteRange& own, Walks& walks) {
-  const hull::LiftedDifference q = facets.lifted(facets.point(apex));
+  const LiftedDifference q = facets.lifted(facets.point(apex));
   const auto in_range = [&](FacetIndex f) { return own.contains(facets.corners(f)); };
   for (FacetIndex f = 0; f < facets.size(); ++f) {
     if (!in_range(f) || facets.infinite(f)) continue;
-    const auto [end, seen] = hull::nearer_by_four(facets, f, q, own);
+    const auto [end, seen] = nearer_by_four(facets, f, q, own);
     const Facets::Height start = facets.height(f, q);
     const Facets::Height h = facets.height(end, q);
     walks.wrong += !in_range(end);
@@ -47,7 +41,7 @@ void walk_all(Facets& facets, Site apex, const SiteRange& own, Walks& walks) {
     double highest = -HUGE_VAL;
     bool closed = false;
     for (const Ridge r : facets.neighbors(end)) {
-      const FacetIndex g = hull::facet_of(r);
+      const FacetIndex g = facet_of(r);
       const Facets::Height other = facets.height(g, q);
       highest = std::fmax(highest, other.value - 2 * other.error);
       closed = closed || !in_range(g) || facets.infinite(g);
@@ -60,8 +54,7 @@ void walk_all(Facets& facets, Site apex, const SiteRange& own, Walks& walks) {
 void check_walks(const std::vector<Point3>& set, std::size_t parts, Walks& walks) {
   const LargeArray<Point3> distinct = distinct_points(set).points;
   const std::vector<Point3> sites(distinct.begin(), distinct.end());
-  Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
-  hull_regions::set_hull(facets, sites);
+  hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   for (std::size_t part = 0; part < parts; ++part) {
     const auto begin = static_cast<Site>(sites.size() * part / parts);
@@ -71,7 +64,7 @@ void check_walks(const std::vector<Point3>& set, std::size_t parts, Walks& walks
 }
 
 TEST_CASE("walks") {
-  if (!hull::has_four_lanes()) {
+  if (!has_four_lanes()) {
     MESSAGE("skipped: this processor takes one facet at a time");
     return;
   }
@@ -89,4 +82,4 @@ TEST_CASE("walks") {
 }
 
 }  // namespace
-}  // namespace tetsculpt
+}  // namespace tetsculpt::hull

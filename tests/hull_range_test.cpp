@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -13,20 +12,15 @@
 #include "tests/support/hull_regions.h"
 #include "tests/support/point_sets.h"
 
-namespace tetsculpt {
+namespace tetsculpt::hull {
 namespace {
 
-using hull::FacetIndex;
-using hull::Facets;
-using hull::Ridge;
-using hull::Site;
 using hull_regions::Expected;
 using hull_regions::marked;
-using hull_regions::set_hull;
 using hull_regions::sorted;
 
 /// Whether the region of the last site lies within the range, by the corners of what it sees.
-bool within(const Facets& facets, const Expected& expected, const hull::SiteRange& own) {
+bool within(const Facets& facets, const Expected& expected, const SiteRange& own) {
   return std::ranges::all_of(expected.visible,
                              [&](FacetIndex f) { return own.contains(facets.corners(f)); });
 }
@@ -34,18 +28,16 @@ bool within(const Facets& facets, const Expected& expected, const hull::SiteRang
 TEST_CASE("ranges, and marks that others left beyond") {
   for (const std::vector<Point3>& set : {point_sets::uniform_cube(300, 2), point_sets::grid(5)}) {
     const LargeArray<Point3> sites = distinct_points(set).points;
-    Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
-    set_hull(facets, sites);
+    hull_regions::Hull facets(sites);
     const auto apex = static_cast<Site>(sites.size() - 1);
     const Expected expected(facets, facets.size(), apex);
     std::size_t inside = 0, outside = 0;
     for (Site begin = 0; begin < apex; ++begin) {
-      const hull::SiteRange own{begin, apex};
+      const SiteRange own{begin, apex};
       for (const bool by_four : {false, true}) {
-        if (by_four && !hull::has_four_lanes()) continue;
-        hull::Region region;
-        const bool grown =
-            hull::grow_region(facets, apex, expected.visible[0], own, by_four, region);
+        if (by_four && !has_four_lanes()) continue;
+        Region region;
+        const bool grown = grow_region(facets, apex, expected.visible[0], own, by_four, region);
         CHECK(grown == within(facets, expected, own));
         (grown ? inside : outside) += 1;
         region.unmark(facets);
@@ -59,25 +51,24 @@ TEST_CASE("ranges, and marks that others left beyond") {
 
 TEST_CASE("what others have marked is not cut off") {
   const LargeArray<Point3> sites = distinct_points(point_sets::grid(5)).points;
-  Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
-  set_hull(facets, sites);
+  hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   const Expected expected(facets, facets.size(), apex);
-  hull::SiteRange own{apex - 1, apex};
+  SiteRange own{apex - 1, apex};
   while (!within(facets, expected, own)) --own.begin;
   for (FacetIndex f = 0; f < facets.size(); ++f) {
     // No neighbour of what is this thread's.
-    const auto is_own = [&](Ridge r) { return own.contains(facets.corners(hull::facet_of(r))); };
+    const auto is_own = [&](Ridge r) { return own.contains(facets.corners(facet_of(r))); };
     if (own.contains(facets.corners(f)) || std::ranges::any_of(facets.neighbors(f), is_own))
       continue;
-    facets.mark(f) = hull::Mark::kVisible;
+    facets.mark(f) = Mark::kVisible;
   }
   const std::size_t of_others = marked(facets, facets.size());
   CHECK(of_others > 0);
   for (const bool by_four : {false, true}) {
-    if (by_four && !hull::has_four_lanes()) continue;
-    hull::Region region;
-    REQUIRE(hull::grow_region(facets, apex, expected.visible[0], own, by_four, region));
+    if (by_four && !has_four_lanes()) continue;
+    Region region;
+    REQUIRE(grow_region(facets, apex, expected.visible[0], own, by_four, region));
     CHECK(sorted(region.cut) == expected.cut);
     region.unmark(facets);
     CHECK(marked(facets, facets.size()) == of_others);
@@ -85,4 +76,4 @@ TEST_CASE("what others have marked is not cut off") {
 }
 
 }  // namespace
-}  // namespace tetsculpt
+}  // namespace tetsculpt::hull

@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,31 +15,26 @@
 #include "tests/support/hull_regions.h"
 #include "tests/support/point_sets.h"
 
-namespace tetsculpt {
+namespace tetsculpt::hull {
 namespace {
 
-using hull::FacetIndex;
-using hull::Facets;
-using hull::Site;
 using hull_regions::Expected;
 using hull_regions::marked;
-using hull_regions::set_hull;
 using hull_regions::sorted;
 
 /// How many facets were wrongly in, or not in, the region of the last site; grown from every facet
 /// that it sees. Adds up what was unclear and hidden.
 std::size_t wrong_regions(std::span<const Point3> sites, bool by_four, std::size_t& unclear) {
-  Facets facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000)));
-  set_hull(facets, sites);
+  hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   const Expected expected(facets, facets.size(), apex);
   REQUIRE_FALSE(expected.visible.empty());
-  hull::Region region;
+  Region region;
   std::size_t wrong = 0;
   for (const FacetIndex seen : expected.visible) {
-    REQUIRE(hull::grow_region(facets, apex, seen, {}, by_four, region));
+    REQUIRE(grow_region(facets, apex, seen, {}, by_four, region));
     std::vector<std::uint32_t> visible = sorted(region.visible);
-    for (std::uint32_t& r : visible) r = hull::facet_of(r);
+    for (std::uint32_t& r : visible) r = facet_of(r);
     wrong += visible != expected.visible;
     wrong += sorted(region.cut) != expected.cut;
     unclear += region.unclear.size();
@@ -51,7 +45,7 @@ std::size_t wrong_regions(std::span<const Point3> sites, bool by_four, std::size
 }
 
 void check_regions(const std::vector<Point3>& set, bool ties) {
-  if (!hull::has_four_lanes()) MESSAGE("four at a time skipped: this processor takes one");
+  if (!has_four_lanes()) MESSAGE("four at a time skipped: this processor takes one");
   const LargeArray<Point3> distinct = distinct_points(set).points;
   std::size_t wrong = 0, unclear = 0;
   for (std::size_t last = 0; last < distinct.size(); last += distinct.size() / 12) {
@@ -59,7 +53,7 @@ void check_regions(const std::vector<Point3>& set, bool ties) {
     std::rotate(sites.begin() + static_cast<std::ptrdiff_t>(last),
                 sites.begin() + static_cast<std::ptrdiff_t>(last) + 1, sites.end());
     wrong += wrong_regions(sites, false, unclear);
-    if (hull::has_four_lanes()) wrong += wrong_regions(sites, true, unclear);
+    if (has_four_lanes()) wrong += wrong_regions(sites, true, unclear);
   }
   CHECK(wrong == 0);
   CHECK((unclear > 0) == ties);
@@ -76,4 +70,4 @@ TEST_CASE("a large cavity") {
 }
 
 }  // namespace
-}  // namespace tetsculpt
+}  // namespace tetsculpt::hull

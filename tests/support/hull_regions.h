@@ -1,11 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "kernel/distinct_points.h"
 #include "kernel/hull_facets.h"
 #include "kernel/hull_region.h"
 #include "kernel/lifted_hull.h"
@@ -19,24 +21,27 @@ using hull::Ridge;
 using hull::Site;
 
 /// The hull of all sites but the last, with infinity as the last corner of a facet.
-inline void set_hull(Facets& facets, std::span<const Point3> sites) {
-  const LiftedHull hull = lifted_hull(sites.first(sites.size() - 1));
-  hull::FacetRoom room = facets.append(hull.tets.size());
-  room.begin = static_cast<FacetIndex>(hull.tets.size());
-  facets.give_back({room});
-  // An even number of exchanges keeps the orientation.
-  const auto turned = [&](std::size_t t) { return hull.tets[t][2] == kInfinite; };
-  const auto corner = [&](std::size_t t, std::uint32_t i) { return turned(t) ? i ^ 1 : i; };
-  for (FacetIndex t = 0; t < hull.tets.size(); ++t) {
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const VertexId v = hull.tets[t][i];
-      const FacetHandle h = hull.neighbors[t][i];
-      facets.corners(t)[corner(t, i)] = v == kInfinite ? hull::kAtInfinity : static_cast<Site>(+v);
-      facets.neighbors(t)[corner(t, i)] = hull::ridge(h / 4, corner(h / 4, h % 4));
+struct Hull : Facets {
+  explicit Hull(std::span<const Point3> sites)
+      : Facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000))) {
+    const LiftedHull hull = lifted_hull(sites.first(sites.size() - 1));
+    hull::FacetRoom room = append(hull.tets.size());
+    room.begin = static_cast<FacetIndex>(hull.tets.size());
+    give_back({room});
+    // An even number of exchanges keeps the orientation.
+    const auto turned = [&](std::size_t t) { return hull.tets[t][2] == kInfinite; };
+    const auto corner = [&](std::size_t t, std::uint32_t i) { return turned(t) ? i ^ 1 : i; };
+    for (FacetIndex t = 0; t < hull.tets.size(); ++t) {
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const VertexId v = hull.tets[t][i];
+        const FacetHandle h = hull.neighbors[t][i];
+        corners(t)[corner(t, i)] = v == kInfinite ? hull::kAtInfinity : static_cast<Site>(+v);
+        neighbors(t)[corner(t, i)] = hull::ridge(h / 4, corner(h / 4, h % 4));
+      }
+      set_hyperplane(t);
     }
-    facets.set_hyperplane(t);
   }
-}
+};
 
 /// What a region should be, in ascending order.
 struct Expected {
