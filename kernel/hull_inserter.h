@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/hull_cone.h"
@@ -30,21 +31,26 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   void mark_free();
   /// Marks them and gives back what was never used: nothing is inserted any more.
   void give_back();
-  /// One with a range of its own that goes on from here, as this one can only by take_over(). It
-  /// must look_around() before anything is inserted.
-  Inserter helper(SiteRange own);
-  /// Keeps some of the facets that it knows, which are left and its own: others' may change under
-  /// its hands later. All helpers may do so at a time, while none inserts.
-  void look_around();
+  /// One that goes on from here, as this one can only by take_over(). It must move_to() a range
+  /// before anything is inserted.
+  Inserter helper();
+  /// Gives a helper the range in which it will insert these, which follow each other along the
+  /// curve. Of the facets that it knows about there it keeps some, which are left and its own:
+  /// others' may change under its hands later. All helpers may do so at a time, while none inserts.
+  void move_to(SiteRange own, std::span<const Site> sites, std::size_t site_count);
   /// Goes on from where a helper ended.
   void take_over(const Inserter& helper);
 
   /// Inserts a point, unless it needs facets outside of the range or more memory than the store
-  /// has: then it is added to deferred().
+  /// has, or seems to: then it is deferred.
   void insert(Site q);
-  const std::vector<Site>& deferred() const { return deferred_; }
+  /// What was deferred since it was taken last.
+  std::vector<Site> take_deferred() { return std::exchange(deferred_, {}); }
 
  private:
+  /// How many sites before one, along the curve, it looks back for one with a facet that it knows.
+  static constexpr Site kBack = 64;
+
   bool own(FacetIndex f) const;
   bool at_site(FacetIndex f, Site s) const;
   // See hull_locate.cpp.
@@ -53,6 +59,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   FacetIndex walk_on_hull(Site q, FacetIndex f) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
 
+  void defer_at_border(Site q);
   bool find_horizon(Site apex, FacetIndex seen);
   bool find_room(std::size_t count);
   void replace_visible(Site apex);
@@ -69,7 +76,9 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// are no helpers.
   std::span<FacetIndex> known_;
   std::vector<Site> deferred_;
-  Region region_;  ///< of the insertion under way
+  std::size_t untried_ = 0;       ///< points to defer next
+  std::size_t next_untried_ = 0;  ///< after another that can't go in
+  Region region_;                 ///< of the insertion under way
   Cone cone_;
 };
 

@@ -13,7 +13,6 @@ namespace tetsculpt::hull {
 /// A facet that q sees, or kNone if none was found within the range: on the way from where the last
 /// point went in, or else from sites before q on the curve.
 FacetIndex Inserter::locate(Site q) const {
-  constexpr Site kBack = 64;
   int tries = 3;
   FacetIndex found = last_ == kNone ? kNone : walk(q, last_);
   if (own_.all()) return found;

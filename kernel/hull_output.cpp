@@ -96,9 +96,10 @@ class Output {
   }
   int takers() const { return static_cast<int>(next_.size()); }
 
-  /// Shares the buckets out among the threads, by what is in them.
+  /// Cuts the buckets into shares of about as much.
   void share_buckets() {
-    const std::size_t parts = worth_threads(count_, threads_);
+    constexpr int kPerThread = 16;
+    const std::size_t parts = worth_threads(count_, kPerThread * threads_);
     cuts_.assign(1, 0);
     for (std::size_t part = 1; part < parts; ++part) {
       const auto cut = std::ranges::lower_bound(end_, count_ * part / parts);
@@ -106,16 +107,18 @@ class Output {
     }
     cuts_.push_back(bucket_count_);
   }
-  /// Calls work(begin, end) on each share, on a thread of its own.
+  /// Calls work(begin, end) on each share.
   template <class Work>
   void for_each_share(Work&& work) const {
-    parallel_each(cuts_.size() - 1, [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
+    parallel_shares(cuts_.size() - 1, worth_threads(count_, threads_),
+                    [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
   }
 
   /// From ridges of facets to facets of tetrahedra.
   void number_neighbors(LargeArray<std::array<FacetHandle, 4>>& neighbors) const {
-    parallel_ranges(count_, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t) {
+    for_each_share([&](std::size_t first_bucket, std::size_t end_bucket) {
+      const std::size_t end = begin_of(end_bucket);
+      for (std::size_t t = begin_of(first_bucket); t < end; ++t) {
         const auto& later = neighbors[std::min(t + kAhead, end - 1)];
         for (std::uint32_t i = 0; i < 4; ++i) {
           __builtin_prefetch(&facets_[facet_of(later[i])]);

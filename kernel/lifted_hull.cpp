@@ -47,21 +47,20 @@
 // less (half as slow again). With -O2 instead of -O3 a fifth is lost.
 //
 // Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
-// thread inserts one. What would touch another's facets, 5 % of the points of a cube and 25 % of a
-// bumpy sphere, where the tetrahedra inside have corners everywhere, comes after that, in stretches
-// that begin halfway along the first: regions with other borders. What still touches two, 0.4 % and
-// 1.3 %, comes last. (Nearly all points of a sphere waited while walks stuck at the border of a
-// range did not begin anew near the point.) Tried while they did: threads in step, each finds out
-// what 16 of its points change and leaves marks without locks, then makes the changes that kept all
-// marks. One in 5,000 met another, but threads waited a fifth of the time for the one with the
-// larger cavities, and what lies between the two halves costs the nearest cache: no faster than one
-// thread on a sphere, slower on a cube. A facet that belongs to whom three of its corners are,
-// instead of all four: 4 % fewer of a sphere's points wait, for a tenth more instructions.
+// thread inserts one, see kernel/hull_stretches. What would touch another's facets, 5 % of the
+// points of a cube and 25 % of a bumpy sphere, where the tetrahedra inside have corners everywhere,
+// comes after that, in stretches that begin elsewhere: regions with other borders. (Nearly all
+// points of a sphere waited while walks stuck at the border of a range did not begin anew near the
+// point.) Tried while they did: threads in step, each finds out what 16 of its points change and
+// leaves marks without locks, then makes the changes that kept all marks. One in 5,000 met another,
+// but threads waited a fifth of the time for the one with the larger cavities, and what lies
+// between the two halves costs the nearest cache: no faster than one thread on a sphere, slower on
+// a cube. A facet that belongs to whom three of its corners are, instead of all four: 4 % fewer of
+// a sphere's points wait, for a tenth more instructions.
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -73,6 +72,7 @@
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
 #include "kernel/hull_output.h"
+#include "kernel/hull_stretches.h"
 #include "kernel/insertion_order.h"
 #include "kernel/large_array.h"
 #include "kernel/parallel.h"
@@ -129,20 +129,14 @@ FacetRoom make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
   return room;
 }
 
-/// Calls visit(s) on each of the range, which in a round goes on to its end at most.
 template <class Visit>
-void each_site(const InsertionRound& round, const hull::SiteRange& range, Visit&& visit) {
-  assert(range.begin <= range.end || range.end == 0);
-  const std::size_t end = range.end == 0 ? round.vertex_count : range.end;
-  round.each(range.begin, std::min(end, round.vertex_count),
-             [&](std::size_t v) { visit(static_cast<Site>(v)); });
+void each_site(const InsertionRound& round, Visit&& visit) {
+  round.each(0, round.vertex_count, [&](std::size_t v) { visit(static_cast<Site>(v)); });
 }
 
 template <class Visit>
-void each_site(const std::vector<Site>& sites, const hull::SiteRange& range, Visit&& visit) {
-  for (const Site s : sites) {
-    if (range.contains(s)) visit(s);
-  }
+void each_site(const std::vector<Site>& sites, Visit&& visit) {
+  std::ranges::for_each(sites, visit);
 }
 
 /// Of which all coordinates are multiples; 0 where it is so small that it is of no use: the exact
@@ -171,7 +165,7 @@ class Construction {
     for (const InsertionRound& round : insertion_rounds(points_.size())) {
       const std::size_t threads = worth_threads(round.size(), options_.threads);
       if (threads == 1) {
-        insert(round, {}, inserter_, [&](std::size_t k) { report(k); });
+        insert(round, [&](std::size_t k) { report(k); });
       } else {
         insert_in_parallel(round, threads);
       }
@@ -202,81 +196,46 @@ class Construction {
                       static_cast<double>(points_.size()));
   }
 
-  /// Inserts those of the range. Calls told(k) now and then, with the number of sites that are in.
+  /// Calls told(k) now and then, with the number of sites that are in.
   template <class Sites, class Told>
-  void insert(const Sites& sites, const hull::SiteRange& range, Inserter& inserter,
-              Told&& told) const {
-    constexpr std::size_t kReportEvery = 65536;
+  void insert(const Sites& sites, Told&& told) {
+    constexpr std::size_t kTellEvery = 65536;
     std::size_t in = 0;
-    each_site(sites, range, [&](Site s) {
-      if (std::ranges::find(simplex_, s) != simplex_.end()) return;
-      inserter.insert(s);
-      if (in++ % kReportEvery == 0) told(in);
+    each_site(sites, [&](Site s) {
+      if (in_simplex(s)) return;
+      inserter_.insert(s);
+      if (in++ % kTellEvery == 0) told(in);
     });
   }
 
-  /// Each thread inserts a stretch of the curve, as far as it meets no other's. What is left then
-  /// comes in stretches that begin halfway; what is still left, after that.
+  /// What no stretch of the curve could hold comes in stretches that begin elsewhere, as long as
+  /// that brings something, and then on one thread.
   void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
-    std::vector<Site> cuts;
-    for (std::size_t t = 0; t < threads; ++t) {
-      cuts.push_back(static_cast<Site>(points_.size() * t / threads));
-    }
-    std::vector<Site> left = insert_stretches(round, cuts, 0);
-    if (worth_threads(left.size(), options_.threads) >= threads) {
-      for (std::size_t t = 0; t < threads; ++t) {
-        const std::size_t end = t + 1 == threads ? points_.size() : cuts[t + 1];
-        cuts[t] = static_cast<Site>((cuts[t] + end) / 2);
-      }
-      left = insert_stretches(left, cuts, round.size() - left.size());
-    }
-    insert(left, {}, inserter_, [&](std::size_t k) { report(round.size() - left.size() + k); });
-  }
-
-  /// A stretch begins at each cut, the last one goes on at the curve's beginning. What no stretch
-  /// could hold comes back. `in` is how many sites of the round are in already.
-  template <class Sites>
-  std::vector<Site> insert_stretches(const Sites& sites, std::span<const Site> cuts,
-                                     std::size_t in) {
-    const std::size_t threads = cuts.size();
-    const auto range = [&](std::size_t t) {
-      return hull::SiteRange{cuts[t], cuts[(t + 1) % threads]};
-    };
-    inserter_.mark_free();
-    std::vector<Inserter> inserters;
-    for (std::size_t t = 0; t < threads; ++t) inserters.push_back(inserter_.helper(range(t)));
-    parallel_each(threads, [&](std::size_t t) { inserters[t].look_around(); });
-    facets_.share();
-    std::atomic<bool> cancelled = false;
-    parallel_each(threads, [&](std::size_t t) {
-      insert(sites, range(t), inserters[t], [&](std::size_t k) {
-        if (t == 0) {
-          report_or_set(cancelled, in + k);
-        } else if (cancelled) {
-          throw Cancelled();
-        }
-      });
-    });
-    facets_.unshare();
     std::vector<Site> left;
-    for (const Inserter& helper : inserters) {
-      inserter_.take_over(helper);
-      left.insert(left.end(), helper.deferred().begin(), helper.deferred().end());
+    left.reserve(round.size());
+    each_site(round, [&](Site s) {
+      if (!in_simplex(s)) left.push_back(s);
+    });
+    std::size_t in = 0;
+    const auto told = [&](std::size_t more) { report(in + more); };
+    hull::Stretches stretches(facets_, inserter_, points_.size(), threads);
+    std::size_t before = 0;
+    for (const double shift : {0.0, 0.5, 0.25, 0.75}) {
+      std::vector<Site> cuts;
+      for (std::size_t t = 0; t < threads; ++t) {
+        const double share = (static_cast<double>(t) + shift) / static_cast<double>(threads);
+        cuts.push_back(static_cast<Site>(share * static_cast<double>(points_.size())));
+      }
+      before = left.size();
+      left = stretches.insert(std::move(left), std::move(cuts), told);
+      in = round.size() - left.size();
+      if (left.size() > before / 2 || worth_threads(left.size(), options_.threads) < threads) break;
     }
-    return left;
+    stretches.end();
+    insert(left, told);
   }
 
-  /// Ends the other threads; the first one's exception is the one that is seen.
-  struct Cancelled {};
-
-  void report_or_set(std::atomic<bool>& cancelled, std::size_t in_round) {
-    try {
-      report(in_round);
-    } catch (...) {
-      cancelled = true;
-      throw;
-    }
-  }
+  bool in_simplex(Site s) const { return std::ranges::find(simplex_, s) != simplex_.end(); }
 
   std::span<const Point3> points_;
   std::array<Site, 4> simplex_;  ///< the first one, which is not inserted

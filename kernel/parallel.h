@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <thread>
@@ -29,6 +30,17 @@ void parallel_each(std::size_t count, Work&& work) {
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
+}
+
+/// Calls work(i) for each i below count on up to `threads` threads, the first the caller's: each
+/// takes the next one when it is done, so that they end about together. Rethrows the exception of
+/// one of those that threw.
+template <class Work>
+void parallel_shares(std::size_t count, std::size_t threads, Work&& work) {
+  std::atomic<std::size_t> next = 0;
+  parallel_each(std::min(count, threads), [&](std::size_t) {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  });
 }
 
 /// How many of up to `threads` threads, at least one, are worth their start for n items.
