@@ -53,10 +53,13 @@ void Inserter::move_to(SiteRange own, std::span<const Site> sites, std::size_t s
   }
 }
 
+void Inserter::begin_at_last_of(const Inserter& helper) {
+  if (helper.last_ != kNone) last_ = helper.last_;
+}
+
 void Inserter::take_over(const Inserter& helper) {
   free_.insert(free_.end(), helper.free_.begin(), helper.free_.end());
   rooms_.insert(rooms_.end(), helper.rooms_.begin(), helper.rooms_.end());
-  if (helper.last_ != kNone) last_ = helper.last_;
 }
 
 bool Inserter::own(FacetIndex f) const { return own_.all() || own_.contains(facets_.corners(f)); }

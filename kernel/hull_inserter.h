@@ -38,7 +38,10 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// curve. Of the facets that it knows about there it keeps some, which are left and its own:
   /// others' may change under its hands later. All helpers may do so at a time, while none inserts.
   void move_to(SiteRange own, std::span<const Site> sites, std::size_t site_count);
-  /// Goes on from where a helper ended.
+  /// Begins the next walk where a helper's last point went in, if one did since it moved. Must
+  /// come before helpers move: then what was there before may go.
+  void begin_at_last_of(const Inserter& helper);
+  /// Takes what helpers have left of their facets.
   void take_over(const Inserter& helper);
 
   /// Inserts a point, unless it needs facets outside of the range or more memory than the store
@@ -69,8 +72,9 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   Facets& facets_;
   bool by_four_;  ///< see kernel/hull_lanes and kernel/hull_cone_lanes
   SiteRange own_;
-  FacetIndex last_ = 0;      ///< lives, and its corners are in the range; kNone if there is none
-  std::vector<Ridge> free_;  ///< of facets that died or were never used; the last are next
+  /// Lives, but not while helpers insert, and its corners are in the range; kNone if there is none.
+  FacetIndex last_ = 0;
+  std::vector<Ridge> free_;       ///< of facets that died or were never used; the last are next
   std::vector<FacetRoom> rooms_;  ///< where more come from
   /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
   /// are no helpers.

@@ -99,7 +99,8 @@ class Output {
   /// Cuts the buckets into shares of about as much.
   void share_buckets() {
     constexpr int kPerThread = 16;
-    const std::size_t parts = worth_threads(count_, kPerThread * threads_);
+    const int threads = static_cast<int>(worth_threads(count_, threads_));
+    const std::size_t parts = worth_threads(count_, kPerThread * threads);
     cuts_.assign(1, 0);
     for (std::size_t part = 1; part < parts; ++part) {
       const auto cut = std::ranges::lower_bound(end_, count_ * part / parts);

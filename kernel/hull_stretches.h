@@ -15,15 +15,16 @@ namespace tetsculpt::hull {
 /// another's. Which ones go in depends on how fast threads are; the hull of them all does not.
 class Stretches {
  public:
-  /// Told how many sites are in, at least; on the caller's thread. May throw, which ends all
-  /// threads' work and is what the caller gets.
+  /// Told how many sites were taken, in or not, at least; on the caller's thread. May throw: that
+  /// is what the caller gets, as soon as threads are done with what is not worth sharing.
   using Told = std::function<void(std::size_t)>;
 
   /// Goes on from where `inserter` is, which until end() must not be used. Two threads or more.
   Stretches(Facets& facets, Inserter& inserter, std::size_t site_count, std::size_t threads);
   /// Inserts sites, which are in ascending order, in stretches that begin at the cuts, one for each
   /// thread; the last one goes on at the curve's beginning. When one stretch is done, what the
-  /// others have left is shared out again. What none could hold comes back in ascending order.
+  /// others have left, if it is enough, is shared out again in stretches that begin elsewhere. What
+  /// none could hold comes back in ascending order.
   std::vector<Site> insert(std::vector<Site> sites, std::vector<Site> cuts, const Told& told);
   /// Lets the inserter go on from here.
   void end();

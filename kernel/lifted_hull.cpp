@@ -209,7 +209,7 @@ class Construction {
   }
 
   /// What no stretch of the curve could hold comes in stretches that begin elsewhere, as long as
-  /// that brings something, and then on one thread.
+  /// half of it goes in and enough is left, and then on one thread.
   void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
     std::vector<Site> left;
     left.reserve(round.size());
