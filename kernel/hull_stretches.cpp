@@ -3,7 +3,7 @@
 // the other. So threads stop when the first is done, where there is enough left to share. They wait
 // for each other some milliseconds then, instead of 30 to 120. Points of which one was tried to no
 // avail are mostly not tried, see Inserter::defer_at_border. Both together: two threads take 0.87
-// of their time on a million points of a bumpy sphere, 0.7 to 0.8 on a torus, 0.94 to 0.97 on a cube.
+// of their time on a million points of a bumpy sphere, 0.72 on a torus, 0.94 to 0.97 on a cube.
 //     Smaller rests shared out, too, bring less: a short stretch is nearly all border, and on a
 // sphere all of it waits. What waits, cut evenly at once instead of by the whole curve, leaves nine
 // times as many points, because cuts gather where points wait.

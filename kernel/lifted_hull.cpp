@@ -219,14 +219,13 @@ class Construction {
     std::size_t in = 0;
     const auto told = [&](std::size_t more) { report(in + more); };
     hull::Stretches stretches(facets_, inserter_, points_.size(), threads);
-    std::size_t before = 0;
     for (const double shift : {0.0, 0.5, 0.25, 0.75}) {
       std::vector<Site> cuts;
       for (std::size_t t = 0; t < threads; ++t) {
         const double share = (static_cast<double>(t) + shift) / static_cast<double>(threads);
         cuts.push_back(static_cast<Site>(share * static_cast<double>(points_.size())));
       }
-      before = left.size();
+      const std::size_t before = left.size();
       left = stretches.insert(std::move(left), std::move(cuts), told);
       in = round.size() - left.size();
       if (left.size() > before / 2 || worth_threads(left.size(), options_.threads) < threads) break;
