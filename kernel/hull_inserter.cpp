@@ -31,25 +31,16 @@ Inserter Inserter::helper() {
   return helper;
 }
 
-void Inserter::move_to(SiteRange own, std::span<const Site> sites, std::size_t site_count) {
+void Inserter::move_to(const SiteRange& own, std::span<const Site> sites) {
   constexpr Site kEvery = 8;  // they lie anywhere in memory
   own_ = own;
   last_ = kNone;
-  untried_ = next_untried_ = 0;
+  beyond_.clear();
   if (sites.empty()) return;
-  const auto look = [&](Site begin, Site end) {
-    for (Site s = begin; s < end; ++s) {
-      if (!own_.contains(s) || known_[s] == kNone) continue;
-      if (s % kEvery != 0 || !at_site(known_[s], s) || !this->own(known_[s])) known_[s] = kNone;
-    }
-  };
-  const Site begin = sites.front() - std::min(sites.front(), kBack);
-  const Site end = sites.back() + 1;
-  if (sites.front() < end) {
-    look(begin, end);
-  } else {  // beyond the curve's end
-    look(begin, static_cast<Site>(site_count));
-    look(0, end);
+  const auto ends = std::ranges::minmax(sites);
+  for (Site s = ends.min - std::min(ends.min, kBack); s <= ends.max; ++s) {
+    if (!own_.contains(s) || known_[s] == kNone) continue;
+    if (s % kEvery != 0 || !at_site(known_[s], s) || !this->own(known_[s])) known_[s] = kNone;
   }
 }
 
@@ -70,27 +61,44 @@ bool Inserter::at_site(FacetIndex f, Site s) const {
 }
 
 void Inserter::insert(Site q) {
-  if (untried_ > 0) {
-    --untried_;
+  if (sees_beyond(q)) {
     deferred_.push_back(q);
     return;
   }
   const FacetIndex seen = locate(q);
   if (seen != kNone && find_horizon(q, seen)) {
     replace_visible(q);
-    next_untried_ = 0;
+    if (!beyond_.empty()) beyond_.erase(beyond_.begin());
   } else {
-    defer_at_border(q);
+    if (seen != kNone) remember_beyond(seen);
+    deferred_.push_back(q);
   }
 }
 
-/// To find that a point can't go in takes as long as to insert it, and of a bumpy sphere 96 % of
-/// the points after such a one can't, either, 81 % of a cube's.
-void Inserter::defer_at_border(Site q) {
-  constexpr std::size_t kMostUntried = 8;
-  deferred_.push_back(q);
-  untried_ = next_untried_;
-  next_untried_ = std::min(2 * next_untried_ + 1, kMostUntried);
+/// Whether it clearly sees one of the facets beyond the range that are remembered, and so can't go
+/// in. To find that out by growing a region takes as long as to insert it. Of a bumpy sphere's
+/// points that can't go in three quarters see one of these.
+bool Inserter::sees_beyond(Site q) {
+  const LiftedDifference point = facets_.lifted(points_[q]);
+  for (auto f = beyond_.end(); f-- != beyond_.begin();) {
+    const Facets::Height h = facets_.height(*f, point);
+    if (!(h.value > h.error)) continue;
+    std::rotate(f, f + 1, beyond_.end());
+    return true;
+  }
+  return false;
+}
+
+/// After a region that began at `seen` has left the range.
+void Inserter::remember_beyond(FacetIndex seen) {
+  constexpr std::size_t kMost = 8;
+  for (const Ridge r : region_.visible) {
+    if (!own(facet_of(r))) beyond_.push_back(facet_of(r));
+  }
+  if (beyond_.size() > kMost) {
+    beyond_.erase(beyond_.begin(), beyond_.end() - kMost);
+  }
+  if (own(seen)) last_ = seen;  // the next point is near this one
 }
 
 /// False, and nothing has changed, if the visible region leaves the range or if there are no facets

@@ -34,10 +34,10 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// One that goes on from here, as this one can only by take_over(). It must move_to() a range
   /// before anything is inserted.
   Inserter helper();
-  /// Gives a helper the range in which it will insert these, which follow each other along the
-  /// curve. Of the facets that it knows about there it keeps some, which are left and its own:
-  /// others' may change under its hands later. All helpers may do so at a time, while none inserts.
-  void move_to(SiteRange own, std::span<const Site> sites, std::size_t site_count);
+  /// Gives a helper the range in which it will insert these. Of the facets that it knows about
+  /// there it keeps some, which are left and its own: others' may change under its hands later. All
+  /// helpers may do so at a time, while none inserts.
+  void move_to(const SiteRange& own, std::span<const Site> sites);
   /// Begins the next walk where a helper's last point went in, if one did since it moved. Must
   /// come before helpers move: then what was there before may go.
   void begin_at_last_of(const Inserter& helper);
@@ -62,7 +62,8 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   FacetIndex walk_on_hull(Site q, FacetIndex f) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
 
-  void defer_at_border(Site q);
+  bool sees_beyond(Site q);
+  void remember_beyond(FacetIndex seen);
   bool find_horizon(Site apex, FacetIndex seen);
   bool find_room(std::size_t count);
   void replace_visible(Site apex);
@@ -80,9 +81,10 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// are no helpers.
   std::span<FacetIndex> known_;
   std::vector<Site> deferred_;
-  std::size_t untried_ = 0;       ///< points to defer next
-  std::size_t next_untried_ = 0;  ///< after another that can't go in
-  Region region_;                 ///< of the insertion under way
+  /// Facets outside of the range that deferred points see; the latest that one was found to see are
+  /// last. They live as long as the range stays.
+  std::vector<FacetIndex> beyond_;
+  Region region_;  ///< of the insertion under way
   Cone cone_;
 };
 

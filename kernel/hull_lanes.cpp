@@ -165,9 +165,9 @@ TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
     if (best == 0) best = visible != 0 ? visible : nearer & highest;
     if (best == 0) return {f, false};
     const FacetIndex g = facet_of(ridges[static_cast<std::size_t>(std::countr_zero(best))]);
-    if (!all_own && !own.contains(facet[g].links.corners)) return {f, false};
     if (visible != 0) return {g, true};
     if (facet[g].links.infinite()) return {f, false};
+    if (!all_own && !own.contains(facet[g].links.corners)) return {f, false};
     f = g;
     height = of_four;
   }

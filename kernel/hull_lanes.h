@@ -30,8 +30,8 @@ struct Nearer {
   bool seen;
 };
 /// From f, which is finite, to neighbours above which q is higher, each time to the highest of
-/// four, where has_four_lanes(): to a facet that q sees, or to a finite one where that would not be
-/// higher, or infinite, or not within the range.
+/// four, where has_four_lanes(): to a facet that q sees, be it the first beyond the range, or to a
+/// finite one where the next would not be higher, or infinite, or not within the range.
 Nearer nearer_by_four(const Facets& facets, FacetIndex f, const LiftedDifference& q,
                       const SiteRange& own);
 

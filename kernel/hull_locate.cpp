@@ -10,8 +10,8 @@
 
 namespace tetsculpt::hull {
 
-/// A facet that q sees, or kNone if none was found within the range: on the way from where the last
-/// point went in, or else from sites before q on the curve.
+/// A facet that q sees, in the range or next to one in it; kNone if none was found: on the way from
+/// where the last point was, or else from sites before q on the curve.
 FacetIndex Inserter::locate(Site q) const {
   int tries = 3;
   FacetIndex found = last_ == kNone ? kNone : walk(q, last_);
@@ -28,7 +28,7 @@ FacetIndex Inserter::locate(Site q) const {
 /// From f to a facet that q sees. Walks to neighbours whose sphere has the smaller power of q,
 /// which is the side of their common triangle's plane on which q lies; every step is a few
 /// multiply-adds, and the walk may end as soon as the power is negative. Rounding can only end it
-/// early. kNone where the walk leaves the range.
+/// early. kNone where it would have to go on beyond the range.
 FacetIndex Inserter::walk(Site q, FacetIndex f) const {
   if (facets_.infinite(f)) {
     if (facets_.on_sphere(q)) f = walk_on_hull(q, f);
@@ -55,11 +55,11 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
       h = facets_.height(g, point);
       const bool seen = h.value > h.error;
       if (!seen && (h.value <= height || facets_.infinite(g))) continue;
+      if (seen) return g;
       if (!own(g)) {
         at_border = true;
         continue;
       }
-      if (seen) return g;
       f = g;
       height = h.value;
       moved = true;

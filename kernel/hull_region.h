@@ -13,19 +13,28 @@
 /// The part of a hull that a point sees. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
-/// The sites [begin, end), which one thread may touch; the one at infinity is everybody's. Where
-/// end comes before begin: those from begin and those before end.
-struct SiteRange {
+/// Sites [begin, end); where end comes before begin: those from begin and those before end.
+struct Arc {
   Site begin = 0;
-  Site end = kAtInfinity;
-  bool contains(Site s) const { return Site{s - begin} < Site{end - begin} || s == kAtInfinity; }
+  Site end = 0;
+  bool contains(Site s) const { return Site{s - begin} < Site{end - begin}; }
+};
+
+/// The sites that one thread may touch: two arcs' of the curve, and the one at infinity, which is
+/// everybody's.
+struct SiteRange {
+  Arc first{0, kAtInfinity};
+  Arc second{};
+  bool contains(Site s) const {
+    return first.contains(s) || second.contains(s) || s == kAtInfinity;
+  }
   /// All four, without a branch on which.
   bool contains(const std::array<Site, 4>& sites) const {
     const FourIndices four = four_of(sites.data());
-    const FourIndices outside = (four - begin >= end - begin) & (four != kAtInfinity);
-    return first_bits(outside) == 0;
+    const auto outside_of = [&](const Arc& arc) { return four - arc.begin >= arc.end - arc.begin; };
+    return first_bits(outside_of(first) & outside_of(second) & (four != kAtInfinity)) == 0;
   }
-  bool all() const { return begin == 0 && end == kAtInfinity; }
+  bool all() const { return first.begin == 0 && first.end == kAtInfinity; }
 };
 
 /// A stack that is told ahead how much it may hold, and afterwards how much it does: to fill it

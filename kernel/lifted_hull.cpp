@@ -208,30 +208,18 @@ class Construction {
     });
   }
 
-  /// What no stretch of the curve could hold comes in stretches that begin elsewhere, as long as
-  /// half of it goes in and enough is left, and then on one thread.
+  /// What no thread's range could hold comes after that, on one thread.
   void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
-    std::vector<Site> left;
-    left.reserve(round.size());
+    std::vector<Site> sites;
+    sites.reserve(round.size());
     each_site(round, [&](Site s) {
-      if (!in_simplex(s)) left.push_back(s);
+      if (!in_simplex(s)) sites.push_back(s);
     });
-    std::size_t in = 0;
-    const auto told = [&](std::size_t more) { report(in + more); };
     hull::Stretches stretches(facets_, inserter_, points_.size(), threads);
-    for (const double shift : {0.0, 0.5, 0.25, 0.75}) {
-      std::vector<Site> cuts;
-      for (std::size_t t = 0; t < threads; ++t) {
-        const double share = (static_cast<double>(t) + shift) / static_cast<double>(threads);
-        cuts.push_back(static_cast<Site>(share * static_cast<double>(points_.size())));
-      }
-      const std::size_t before = left.size();
-      left = stretches.insert(std::move(left), std::move(cuts), told);
-      in = round.size() - left.size();
-      if (left.size() > before / 2 || worth_threads(left.size(), options_.threads) < threads) break;
-    }
+    const std::vector<Site> left =
+        stretches.insert(std::move(sites), [&](std::size_t k) { report(k); });
     stretches.end();
-    insert(left, told);
+    insert(left, [&](std::size_t k) { report(round.size() - left.size() + k); });
   }
 
   bool in_simplex(Site s) const { return std::ranges::find(simplex_, s) != simplex_.end(); }

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -17,7 +18,7 @@ namespace tetsculpt::hull {
 namespace {
 
 struct Walks {
-  std::size_t seen = 0, stuck = 0, at_border = 0, wrong = 0;
+  std::size_t seen = 0, seen_beyond = 0, stuck = 0, at_border = 0, wrong = 0;
 };
 
 /// From every facet of the range towards the last site.
@@ -29,13 +30,16 @@ void walk_all(Facets& facets, Site apex, const SiteRange& own, Walks& walks) {
     const auto [end, seen] = nearer_by_four(facets, f, q, own);
     const Facets::Height start = facets.height(f, q);
     const Facets::Height h = facets.height(end, q);
-    walks.wrong += !in_range(end);
     if (seen) {
+      // In the range, or right behind its border.
+      const auto leads_in = [&](Ridge r) { return in_range(facet_of(r)); };
+      walks.wrong += !in_range(end) && std::ranges::none_of(facets.neighbors(end), leads_in);
+      walks.seen_beyond += !in_range(end);
       ++walks.seen;
       walks.wrong += !facets.visible(end, apex);
       continue;
     }
-    walks.wrong += facets.infinite(end);
+    walks.wrong += !in_range(end) || facets.infinite(end);
     walks.wrong += h.value < start.value - (start.error + h.error);
     // The highest neighbour is no higher, or not to be entered.
     double highest = -HUGE_VAL;
@@ -59,7 +63,7 @@ void check_walks(const std::vector<Point3>& set, std::size_t parts, Walks& walks
   for (std::size_t part = 0; part < parts; ++part) {
     const auto begin = static_cast<Site>(sites.size() * part / parts);
     const auto end = static_cast<Site>(sites.size() * (part + 1) / parts);
-    walk_all(facets, apex, parts == 1 ? SiteRange{} : SiteRange{begin, end}, walks);
+    walk_all(facets, apex, parts == 1 ? SiteRange{} : SiteRange{{begin, end}}, walks);
   }
 }
 
@@ -77,6 +81,7 @@ TEST_CASE("walks") {
   }
   CHECK(walks.wrong == 0);
   CHECK(walks.seen > 100);
+  CHECK(walks.seen_beyond > 10);
   CHECK(walks.stuck > 100);
   CHECK(walks.at_border > 100);
 }

@@ -33,7 +33,7 @@ TEST_CASE("ranges, and marks that others left beyond") {
     const Expected expected(facets, facets.size(), apex);
     std::size_t inside = 0, outside = 0;
     for (Site begin = 0; begin < apex; ++begin) {
-      const SiteRange own{begin, apex};
+      const SiteRange own{{begin, apex}};
       for (const bool by_four : {false, true}) {
         if (by_four && !has_four_lanes()) continue;
         Region region;
@@ -49,13 +49,41 @@ TEST_CASE("ranges, and marks that others left beyond") {
   }
 }
 
+TEST_CASE("ranges of two arcs") {
+  const LargeArray<Point3> sites = distinct_points(point_sets::uniform_cube(300, 2)).points;
+  hull_regions::Hull facets(sites);
+  const auto apex = static_cast<Site>(sites.size() - 1);
+  const Expected expected(facets, facets.size(), apex);
+  std::size_t inside = 0, outside = 0;
+  for (Site gap = 1; gap < apex - 4; ++gap) {
+    // All but a gap in the middle, the second arc beyond the curve's end.
+    const Site begin = (apex - gap) / 2;
+    const SiteRange own{{begin / 2, begin}, {begin + gap, begin / 2}};
+    for (Site s = 0; s <= apex; ++s) {
+      const bool in_gap = s >= begin && s < begin + gap;
+      REQUIRE(own.contains(s) == !in_gap);
+      REQUIRE(own.contains({s, begin / 2, kAtInfinity, begin + gap}) == !in_gap);
+    }
+    for (const bool by_four : {false, true}) {
+      if (by_four && !has_four_lanes()) continue;
+      Region region;
+      const bool grown = grow_region(facets, apex, expected.visible[0], own, by_four, region);
+      CHECK(grown == within(facets, expected, own));
+      (grown ? inside : outside) += 1;
+      region.unmark(facets);
+    }
+  }
+  CHECK(inside > 0);
+  CHECK(outside > 0);
+}
+
 TEST_CASE("what others have marked is not cut off") {
   const LargeArray<Point3> sites = distinct_points(point_sets::grid(5)).points;
   hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   const Expected expected(facets, facets.size(), apex);
-  SiteRange own{apex - 1, apex};
-  while (!within(facets, expected, own)) --own.begin;
+  SiteRange own{{apex - 1, apex}};
+  while (!within(facets, expected, own)) --own.first.begin;
   for (FacetIndex f = 0; f < facets.size(); ++f) {
     // No neighbour of what is this thread's.
     const auto is_own = [&](Ridge r) { return own.contains(facets.corners(facet_of(r))); };
