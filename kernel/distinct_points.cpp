@@ -91,26 +91,32 @@ LargeArray<Point3> scaled(std::span<const Point3> points, int exponent) {
   return result;
 }
 
-/// Sets points, with repetitions, and input points in the order of the curve.
-void gather(std::span<const Point3> points, std::span<const std::uint32_t> order, int threads,
+/// Sets points, with repetitions, and input points in the order of the curve. Whether any two
+/// points are equal: those are neighbours there.
+bool gather(std::span<const Point3> points, std::span<const std::uint32_t> order, int threads,
             DistinctPoints& result) {
   result.points.resize(points.size());
   result.first_input.resize(points.size());
-  parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+  const auto gather_part = [&](std::size_t begin, std::size_t end) {
+    bool any_equal = false;
+    const Point3* last = begin > 0 ? &points[order[begin - 1]] : nullptr;
     for (std::size_t k = begin; k < end; ++k) {
-      result.points[k] = points[order[k]];
+      const Point3& p = points[order[k]];
+      any_equal |= last && *last == p;
+      last = &p;
+      result.points[k] = p;
       result.first_input[k] = order[k];
     }
-  });
+    return std::uint8_t{any_equal};  // not of a vector of bits: each thread writes its own
+  };
+  const auto any_equal = parallel_results(range_cuts(points.size(), threads), gather_part);
+  return std::ranges::find(any_equal, 1) != any_equal.end();
 }
 
-/// Keeps the first of equal points. Per place in the order, the point's vertex comes back; none if
-/// no two points are equal.
+/// Keeps the first of equal points. Per place in the order, the point's vertex comes back.
 LargeArray<std::uint32_t> merge_equal(DistinctPoints& result) {
   auto& points = result.points;
-  LargeArray<std::uint32_t> vertex;
-  if (std::ranges::adjacent_find(points) == points.end()) return vertex;
-  vertex.resize(points.size());
+  LargeArray<std::uint32_t> vertex(points.size());
   std::uint32_t last = 0;
   vertex[0] = 0;
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -140,8 +146,8 @@ DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
     points = in_range;
   }
   const LargeArray<std::uint32_t> order = hilbert_order(points, threads);
-  gather(points, order, threads, result);
-  const LargeArray<std::uint32_t> vertex = merge_equal(result);
+  LargeArray<std::uint32_t> vertex;  // per place in the order; empty if that is it
+  if (gather(points, order, threads, result)) vertex = merge_equal(result);
   result.vertex_of_input.resize(points.size());
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {

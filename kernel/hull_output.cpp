@@ -63,7 +63,8 @@ class Output {
   void take(Facets& facets) {
     taken_ = facets.size();
     next_.resize(worth_threads(taken_, std::min(threads_, kMostTakers)));
-    for (auto& next : next_) next.resize(bucket_count_, 0);
+    for (auto& next : next_) next.resize(bucket_count_);
+    parallel_each(next_.size(), [&](std::size_t thread) { std::ranges::fill(next_[thread], 0); });
     facets_ = facets.take_links(takers(), [&](std::size_t thread) {
       return [next = next_[thread].data(), count = bucket_count_](const FacetLinks& facet) {
         if (facet.lives()) ++next[bucket(facet, count)];

@@ -59,11 +59,12 @@ struct LargePageAllocator {
     if (n < kLargeArrayBytes / sizeof(T)) return std::allocator<T>().deallocate(memory, n);
     free_large(memory);
   }
-  /// resize(n) and LargeArray(n) leave new elements as they are: what fills an array needs no zeros
-  /// before.
+  /// resize(n) and LargeArray(n) leave new elements of plain types as they are, also where members
+  /// have values by default: what fills an array needs no zeros before, and each thread touches its
+  /// part of the memory first.
   template <class U>
   void construct(U* element) noexcept(std::is_nothrow_default_constructible_v<U>) {
-    ::new (static_cast<void*>(element)) U;
+    if constexpr (!std::is_trivially_copyable_v<U>) ::new (static_cast<void*>(element)) U;
   }
   template <class U, class... Arguments>
   void construct(U* element, Arguments&&... arguments) {

@@ -84,7 +84,9 @@ class StepQueue {
 class Propagation {
  public:
   Propagation(const LabelGraph& graph, std::span<const PolePair> pairs)
-      : graph_(graph), side_(graph.node_count(), Side::kUnknown), belief_(graph.node_count()) {
+      : graph_(graph),
+        side_(graph.node_count(), Side::kUnknown),
+        belief_(graph.node_count(), Belief{}) {
     list_oppositions(pairs);
   }
 
