@@ -7,8 +7,9 @@
 // its hole, 36 % of all, none goes in as long as anything is cut.) To find that a point can't go in
 // takes little, see Inserter::sees_beyond.
 //     What is left, cut evenly each time, leaves nine times as many points, because cuts gather
-// where points wait: a small piece is nearly all border. That is only done with what most of was
-// not tried. A pass through a set takes 5 ms of a million points to look for known facets.
+// where points wait: a small piece is nearly all border. That is only done where most of what is
+// left was not tried. A pass along all the curve begins with 4 to 6 ms at a million points, to see
+// which facets are still known.
 #include "kernel/hull_stretches.h"
 
 #include <algorithm>

@@ -46,10 +46,10 @@
 // error bound's square root by halving the exponent; output by lists per lowest corner, two passes
 // less (half as slow again). With -O2 instead of -O3 a fifth is lost.
 //
-// Threads: vertices are numbered along a Hilbert curve, so a stretch of a round is a region. Each
-// thread inserts one, see kernel/hull_stretches. What would touch another's facets, 5 % of the
-// points of a cube and 25 % of a bumpy sphere, where the tetrahedra inside have corners everywhere,
-// comes after that, in stretches that begin elsewhere: regions with other borders. (Nearly all
+// Threads: vertices are numbered along a Hilbert curve, so a stretch of it is a region. Each thread
+// inserts a region's points, see kernel/hull_stretches. What would touch another's facets, 5 % of
+// the points of a cube and 25 % of a bumpy sphere, where the tetrahedra inside have corners
+// everywhere, comes after that, in regions with other borders. (Nearly all
 // points of a sphere waited while walks stuck at the border of a range did not begin anew near the
 // point.) Tried while they did: threads in step, each finds out what 16 of its points change and
 // leaves marks without locks, then makes the changes that kept all marks. One in 5,000 met another,

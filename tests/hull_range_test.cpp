@@ -25,27 +25,36 @@ bool within(const Facets& facets, const Expected& expected, const SiteRange& own
                              [&](FacetIndex f) { return own.contains(facets.corners(f)); });
 }
 
+struct Grown {
+  std::size_t inside = 0, outside = 0;
+};
+
+/// Checks that the region of an apex is grown if it is within the range, and leaves no mark.
+void grow(Facets& facets, const Expected& expected, Site apex, const SiteRange& own, Grown& count) {
+  for (const bool by_four : {false, true}) {
+    if (by_four && !has_four_lanes()) continue;
+    Region region;
+    const bool grown = grow_region(facets, apex, expected.visible[0], own, by_four, region);
+    CHECK(grown == within(facets, expected, own));
+    (grown ? count.inside : count.outside) += 1;
+    region.unmark(facets);
+    REQUIRE(marked(facets, facets.size()) == 0);
+  }
+}
+
 TEST_CASE("ranges, and marks that others left beyond") {
   for (const std::vector<Point3>& set : {point_sets::uniform_cube(300, 2), point_sets::grid(5)}) {
     const LargeArray<Point3> sites = distinct_points(set).points;
     hull_regions::Hull facets(sites);
     const auto apex = static_cast<Site>(sites.size() - 1);
     const Expected expected(facets, facets.size(), apex);
-    std::size_t inside = 0, outside = 0;
+    Grown grown;
     for (Site begin = 0; begin < apex; ++begin) {
       const SiteRange own{{begin, apex}};
-      for (const bool by_four : {false, true}) {
-        if (by_four && !has_four_lanes()) continue;
-        Region region;
-        const bool grown = grow_region(facets, apex, expected.visible[0], own, by_four, region);
-        CHECK(grown == within(facets, expected, own));
-        (grown ? inside : outside) += 1;
-        region.unmark(facets);
-        REQUIRE(marked(facets, facets.size()) == 0);
-      }
+      grow(facets, expected, apex, own, grown);
     }
-    CHECK(inside > 0);
-    CHECK(outside > 0);
+    CHECK(grown.inside > 0);
+    CHECK(grown.outside > 0);
   }
 }
 
@@ -54,7 +63,7 @@ TEST_CASE("ranges of two arcs") {
   hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   const Expected expected(facets, facets.size(), apex);
-  std::size_t inside = 0, outside = 0;
+  Grown grown;
   for (Site gap = 1; gap < apex - 4; ++gap) {
     // All but a gap in the middle, the second arc beyond the curve's end.
     const Site begin = (apex - gap) / 2;
@@ -64,17 +73,10 @@ TEST_CASE("ranges of two arcs") {
       REQUIRE(own.contains(s) == !in_gap);
       REQUIRE(own.contains({s, begin / 2, kAtInfinity, begin + gap}) == !in_gap);
     }
-    for (const bool by_four : {false, true}) {
-      if (by_four && !has_four_lanes()) continue;
-      Region region;
-      const bool grown = grow_region(facets, apex, expected.visible[0], own, by_four, region);
-      CHECK(grown == within(facets, expected, own));
-      (grown ? inside : outside) += 1;
-      region.unmark(facets);
-    }
+    grow(facets, expected, apex, own, grown);
   }
-  CHECK(inside > 0);
-  CHECK(outside > 0);
+  CHECK(grown.inside > 0);
+  CHECK(grown.outside > 0);
 }
 
 TEST_CASE("what others have marked is not cut off") {
