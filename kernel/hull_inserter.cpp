@@ -2,6 +2,7 @@
 #include "kernel/hull_inserter.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <utility>
 
@@ -80,10 +81,11 @@ void Inserter::insert(Site q) {
 /// points that can't go in three quarters see one of these.
 bool Inserter::sees_beyond(Site q) {
   const LiftedDifference point = facets_.lifted(points_[q]);
-  for (auto f = beyond_.end(); f-- != beyond_.begin();) {
-    const Facets::Height h = facets_.height(*f, point);
+  for (std::size_t k = beyond_.size(); k-- > 0;) {
+    const Facets::Height h = facets_.height(beyond_[k], point);
     if (!(h.value > h.error)) continue;
-    std::rotate(f, f + 1, beyond_.end());
+    const auto found = beyond_.begin() + static_cast<std::ptrdiff_t>(k);
+    std::rotate(found, found + 1, beyond_.end());
     return true;
   }
   return false;
