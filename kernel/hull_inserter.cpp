@@ -91,7 +91,7 @@ bool Inserter::sees_beyond(Site q) {
   return false;
 }
 
-/// After a region that began at `seen` has left the range.
+/// After a region that began at `seen` has left the range, or found no room.
 void Inserter::remember_beyond(FacetIndex seen) {
   constexpr std::size_t kMost = 8;
   for (const Ridge r : region_.visible) {

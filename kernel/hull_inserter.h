@@ -38,7 +38,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// there it keeps some, which are left and its own: others' may change under its hands later. All
   /// helpers may do so at a time, while none inserts.
   void move_to(const SiteRange& own, std::span<const Site> sites);
-  /// Begins the next walk where a helper's last point went in, if one did since it moved. Must
+  /// Begins the next walk where a helper's last point was, if one was found since it moved. Must
   /// come before helpers move: then what was there before may go.
   void begin_at_last_of(const Inserter& helper);
   /// Takes what helpers have left of their facets.

@@ -208,7 +208,8 @@ class Construction {
     });
   }
 
-  /// What no thread's range could hold comes after that, on one thread.
+  /// What no thread's range could hold, and what is not worth sharing, comes after that, on one
+  /// thread.
   void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
     std::vector<Site> sites;
     sites.reserve(round.size());
