@@ -53,9 +53,8 @@ FacetIndex Inserter::walk(Site q, FacetIndex f) const {
     for (const Ridge r : neighbors) {
       const FacetIndex g = facet_of(r);
       h = facets_.height(g, point);
-      const bool seen = h.value > h.error;
-      if (!seen && (h.value <= height || facets_.infinite(g))) continue;
-      if (seen) return g;
+      if (h.value > h.error) return g;
+      if (h.value <= height || facets_.infinite(g)) continue;
       if (!own(g)) {
         at_border = true;
         continue;
