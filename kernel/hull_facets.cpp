@@ -137,7 +137,8 @@ LargeArray<std::uint64_t> lattice_numbers(std::span<const Point3> sites, const B
 
 }  // namespace
 
-Facets::Facets(std::span<const Point3> sites, double unit) : Facets(sites, unit, box_of(sites)) {}
+Facets::Facets(std::span<const Point3> sites, double unit, int threads)
+    : Facets(sites, unit, box_of(sites, threads)) {}
 
 Facets::Facets(std::span<const Point3> sites, double unit, const Box& box)
     : sites_(sites),

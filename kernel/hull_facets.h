@@ -88,7 +88,7 @@ static_assert(sizeof(Facet) == 64);
 class Facets {
  public:
   /// `unit` is a power of two of which all coordinates are multiples, or 0 if none is of use.
-  Facets(std::span<const Point3> sites, double unit);
+  Facets(std::span<const Point3> sites, double unit, int threads = 1);
 
   std::size_t size() const { return size_; }
   /// At least so many new facets, of which nothing is set. While shared, facets may not move in

@@ -26,54 +26,57 @@ void Inserter::give_back() {
   facets_.give_back(std::exchange(rooms_, {}));
 }
 
-Inserter Inserter::helper() {
-  Inserter helper(points_, facets_, std::exchange(rooms_, {}), by_four_, known_);
-  helper.free_ = std::exchange(free_, {});
-  return helper;
+void Inserter::take_over(Inserter& other) {
+  free_.insert(free_.end(), other.free_.begin(), other.free_.end());
+  rooms_.insert(rooms_.end(), other.rooms_.begin(), other.rooms_.end());
+  other.free_.clear();
+  other.rooms_.clear();
 }
 
-void Inserter::move_to(const SiteRange& own, std::span<const Site> sites) {
-  constexpr Site kEvery = 8;  // they lie anywhere in memory
+void Inserter::move_to(const SiteRange& own, const SiteSet& sites) noexcept {
   own_ = own;
   last_ = kNone;
   beyond_.clear();
-  if (sites.empty()) return;
-  const auto ends = std::ranges::minmax(sites);
-  for (Site s = ends.min - std::min(ends.min, kBack); s <= ends.max; ++s) {
-    if (!own_.contains(s) || known_[s] == kNone) continue;
-    if (s % kEvery != 0 || !at_site(known_[s], s) || !this->own(known_[s])) known_[s] = kNone;
-  }
+  constexpr Site kAhead = 16;
+  const auto groups = static_cast<Site>(known_.size());
+  Site next = 0;  // groups before this one are done
+  sites.each_word([&](Site begin) {
+    const Site first = begin / kGroup;
+    const Site end = std::min(first + SiteSet::kPerWord / kGroup, groups);
+    for (next = std::max(next, first - std::min(first, kBack)); next < end; ++next) {
+      FacetIndex& known = known_[next];
+      if (const FacetIndex ahead = known_[std::min(next + kAhead, groups - 1)]; ahead != kNone) {
+        facets_.prefetch(ahead);  // it lies anywhere in memory
+      }
+      if (known == kNone || !own_.contains(next * kGroup)) continue;
+      if (!in_group(known, next) || !this->own(known)) known = kNone;
+    }
+  });
 }
 
 void Inserter::begin_at_last_of(const Inserter& helper) {
   if (helper.last_ != kNone) last_ = helper.last_;
 }
 
-void Inserter::take_over(const Inserter& helper) {
-  free_.insert(free_.end(), helper.free_.begin(), helper.free_.end());
-  rooms_.insert(rooms_.end(), helper.rooms_.begin(), helper.rooms_.end());
-}
-
 bool Inserter::own(FacetIndex f) const { return own_.all() || own_.contains(facets_.corners(f)); }
 
-/// Whether it lives and is at that site.
-bool Inserter::at_site(FacetIndex f, Site s) const {
-  return facets_.lives(f) && std::ranges::find(facets_.corners(f), s) != facets_.corners(f).end();
+/// Whether it lives and is at a site of that group.
+bool Inserter::in_group(FacetIndex f, Site group) const {
+  const auto in_it = [&](Site s) { return s / kGroup == group; };
+  return facets_.lives(f) && std::ranges::any_of(facets_.corners(f), in_it);
 }
 
-void Inserter::insert(Site q) {
-  if (sees_beyond(q)) {
-    deferred_.push_back(q);
-    return;
-  }
+bool Inserter::insert(Site q) {
+  if (sees_beyond(q)) return false;
   const FacetIndex seen = locate(q);
-  if (seen != kNone && find_horizon(q, seen)) {
-    replace_visible(q);
-    if (!beyond_.empty()) beyond_.erase(beyond_.begin());
-  } else {
-    if (seen != kNone) remember_beyond(seen);
-    deferred_.push_back(q);
+  if (seen == kNone) return false;
+  if (!find_horizon(q, seen)) {
+    remember_beyond(seen);
+    return false;
   }
+  replace_visible(q);
+  if (!beyond_.empty()) beyond_.erase(beyond_.begin());
+  return true;
 }
 
 /// Whether it clearly sees one of the facets beyond the range that are remembered, and so can't go
@@ -143,7 +146,7 @@ void Inserter::replace_visible(Site apex) {
     const auto c = std::ranges::find_if(cone_.facets(), infinite);
     if (c != cone_.facets().end()) last_ = c->facet;
   }
-  if (!known_.empty()) known_[apex] = last_;
+  if (!known_.empty()) known_[apex / kGroup] = last_;
   free_visible(left);
 }
 

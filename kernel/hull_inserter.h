@@ -2,16 +2,20 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "kernel/hull_cone.h"
 #include "kernel/hull_facets.h"
 #include "kernel/hull_region.h"
+#include "kernel/hull_site_set.h"
 #include "kernel/point.h"
 
 /// Quickhull with one point at a time. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
+
+/// So many sites one behind the other share a facet that is known, see Inserter. A range begins and
+/// ends with such a group.
+inline constexpr Site kGroup = 8;
 
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
 /// one replaces only facets all of whose corners are its own, and reads only those and their
@@ -22,7 +26,7 @@ namespace tetsculpt::hull {
 class alignas(64) Inserter {  // two threads' don't share a cache line
  public:
   /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes(). `known`, if
-  /// there will be helpers, holds a facet per site that has one, or kNone.
+  /// there will be helpers, holds a facet per group of sites that has one, or kNone.
   Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetRoom> rooms,
            bool by_four, std::span<FacetIndex> known);
   /// Marks the facets at hand for the next insertions as dead, which must be done before anybody
@@ -31,31 +35,29 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   void mark_free();
   /// Marks them and gives back what was never used: nothing is inserted any more.
   void give_back();
-  /// One that goes on from here, as this one can only by take_over(). It must move_to() a range
-  /// before anything is inserted.
-  Inserter helper();
-  /// Gives a helper the range in which it will insert these. Of the facets that it knows about
-  /// there it keeps some, which are left and its own: others' may change under its hands later. All
+  /// One that has no facets for new cones yet, see take_over(), and must move_to() a range before
+  /// anything is inserted.
+  Inserter helper() const { return {points_, facets_, {}, by_four_, known_}; }
+  /// Takes what another one has left of its facets.
+  void take_over(Inserter& other);
+  /// Gives a helper the range in which it will insert these. Of the facets that it knows about near
+  /// them it keeps those that live and are its own: others' may change under its hands later. All
   /// helpers may do so at a time, while none inserts.
-  void move_to(const SiteRange& own, std::span<const Site> sites);
+  void move_to(const SiteRange& own, const SiteSet& sites) noexcept;
   /// Begins the next walk where a helper's last point was, if one was found since it moved. Must
   /// come before helpers move: then what was there before may go.
   void begin_at_last_of(const Inserter& helper);
-  /// Takes what helpers have left of their facets.
-  void take_over(const Inserter& helper);
 
-  /// Inserts a point, unless it needs facets outside of the range or more memory than the store
-  /// has, or seems to: then it is deferred.
-  void insert(Site q);
-  /// What was deferred since it was taken last.
-  std::vector<Site> take_deferred() { return std::exchange(deferred_, {}); }
+  /// Inserts a point. False, and nothing has changed, if it needs facets outside of the range or
+  /// more memory than the store has, or seems to.
+  bool insert(Site q);
 
  private:
-  /// How many sites before one, along the curve, it looks back for one with a facet that it knows.
-  static constexpr Site kBack = 64;
+  /// How many groups before a site's, along the curve, it looks back for one with a facet.
+  static constexpr Site kBack = 8;
 
   bool own(FacetIndex f) const;
-  bool at_site(FacetIndex f, Site s) const;
+  bool in_group(FacetIndex f, Site group) const;
   // See hull_locate.cpp.
   FacetIndex locate(Site q) const;
   FacetIndex walk(Site q, FacetIndex f) const;
@@ -77,12 +79,11 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   FacetIndex last_ = 0;
   std::vector<Ridge> free_;       ///< of facets that died or were never used; the last are next
   std::vector<FacetRoom> rooms_;  ///< where more come from
-  /// Per site, a facet that was put up at it; it may be gone or another one since. Empty if there
-  /// are no helpers.
+  /// Per group, a facet that was put up at one of its sites; it may be gone or another one since.
+  /// Empty if there are no helpers.
   std::span<FacetIndex> known_;
-  std::vector<Site> deferred_;
-  /// Facets outside of the range that deferred points see; the latest that one was found to see are
-  /// last. They live as long as the range stays.
+  /// Facets outside of the range that points see which could not go in; the latest that one was
+  /// found to see are last. They live as long as the range stays.
   std::vector<FacetIndex> beyond_;
   Region region_;  ///< of the insertion under way
   Cone cone_;

@@ -16,10 +16,11 @@ FacetIndex Inserter::locate(Site q) const {
   int tries = 3;
   FacetIndex found = last_ == kNone ? kNone : walk(q, last_);
   if (own_.all()) return found;
-  const Site end = q - std::min(q, kBack);
-  for (Site s = q; found == kNone && s-- > end && own_.contains(s) && tries > 0;) {
-    if (known_[s] == kNone || !at_site(known_[s], s)) continue;
-    found = walk(q, known_[s]);
+  const Site group = q / kGroup;
+  const Site end = group - std::min(group, kBack);
+  for (Site g = group + 1; found == kNone && tries > 0 && g-- > end && own_.contains(g * kGroup);) {
+    if (known_[g] == kNone || !in_group(known_[g], g)) continue;
+    found = walk(q, known_[g]);
     --tries;
   }
   return found;

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
+#include "kernel/hull_site_set.h"
 
 /// Several threads on one hull. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
@@ -15,32 +16,41 @@ namespace tetsculpt::hull {
 /// another's. Which ones go in depends on how fast threads are; the hull of them all does not.
 class Stretches {
  public:
-  /// Told how many sites were taken, in or not, at least; on the caller's thread. May throw: that
-  /// is what the caller gets, as soon as threads are done with what is not worth sharing.
+  /// Told how many sites are in, or more; on the caller's thread. May throw: that is what the
+  /// caller gets, as soon as threads are done with what is not worth sharing.
   using Told = std::function<void(std::size_t)>;
 
-  /// Goes on from where `inserter` is, which until end() must not be used. Two threads or more.
-  Stretches(Facets& facets, Inserter& inserter, std::size_t site_count, std::size_t threads);
-  /// Inserts sites, which are in ascending order, in passes whose ranges have other borders each
-  /// time, as long as that brings something. What is left comes back.
-  std::vector<Site> insert(std::vector<Site> sites, const Told& told);
-  /// Lets the inserter go on from here.
-  void end();
+  Stretches(Facets& facets, Inserter& inserter, std::size_t site_count);
+  /// Inserts sites on two threads or more, from where the inserter is and in passes whose ranges
+  /// have other borders each time, as long as that brings something; the inserter goes on from
+  /// there. What is left stays.
+  void insert(SiteSet& sites, std::size_t threads, const Told& told);
 
  private:
+  /// Sites [begin, end).
+  struct Piece {
+    Site begin, end;
+  };
+  /// A thread's part of a pass: a range in pieces, in the order in which it takes them.
+  struct Share {
+    SiteRange range;
+    std::vector<Piece> pieces;
+  };
+
   bool worth_sharing(std::size_t count) const;
-  std::vector<SiteRange> next_ranges();
-  std::vector<SiteRange> even_ranges(std::span<const Site> sites) const;
-  std::vector<std::vector<Site>> move_to(const std::vector<SiteRange>& ranges,
-                                         std::span<const Site> sites);
-  std::vector<Site> pass(std::span<const Site> sites, const Told& told);
+  std::size_t cells() const;
+  Site cut(std::size_t slice) const;
+  Share share_of(const std::array<std::size_t, 4>& cells) const;
+  std::vector<Share> next_shares();
+  void pass(SiteSet& sites, const Told& told);
 
   Facets& facets_;
   Inserter& inserter_;
   std::size_t site_count_;
+  std::size_t threads_ = 0;
+  std::size_t slices_ = 1;         ///< per cell
   std::vector<Inserter> helpers_;  ///< one per thread
-  std::size_t moves_ = 0;          ///< calls of next_ranges()
-  std::size_t untried_ = 0;  ///< sites that the last pass left so; they come first in the next one
+  std::size_t passes_ = 0;         ///< of this insert()
 };
 
 }  // namespace tetsculpt::hull

@@ -20,7 +20,7 @@ struct InsertionRound {
   template <class Visit>
   void each(std::size_t begin, std::size_t end, Visit&& visit) const {
     for (std::size_t v = (begin + step - 1) / step * step; v < end; v += step) {
-      if (first || v % (kRatio * step) != 0) visit(v);
+      if (first || (v & (kRatio * step - 1)) != 0) visit(v);
     }
   }
 };

@@ -72,6 +72,7 @@
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
 #include "kernel/hull_output.h"
+#include "kernel/hull_site_set.h"
 #include "kernel/hull_stretches.h"
 #include "kernel/insertion_order.h"
 #include "kernel/large_array.h"
@@ -129,16 +130,6 @@ FacetRoom make_simplex(Facets& facets, const std::array<Site, 4>& simplex) {
   return room;
 }
 
-template <class Visit>
-void each_site(const InsertionRound& round, Visit&& visit) {
-  round.each(0, round.vertex_count, [&](std::size_t v) { visit(static_cast<Site>(v)); });
-}
-
-template <class Visit>
-void each_site(const std::vector<Site>& sites, Visit&& visit) {
-  std::ranges::for_each(sites, visit);
-}
-
 /// Of which all coordinates are multiples; 0 where it is so small that it is of no use: the exact
 /// stages without expansions take differences below 2^23 units.
 double unit_of(std::span<const Point3> points, int threads) {
@@ -154,10 +145,11 @@ class Construction {
       : points_(points),
         simplex_(simplex),
         options_(options),
-        facets_(points, unit_of(points, options.threads)),
-        known_(options.threads > 1 ? points.size() : 0, hull::kNone),
+        facets_(points, unit_of(points, options.threads), options.threads),
+        known_(options.threads > 1 ? points.size() / hull::kGroup + 1 : 0, hull::kNone),
         by_four_(options.four_lanes && hull::has_four_lanes()),
-        inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_) {
+        inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_),
+        stretches_(facets_, inserter_, points.size()) {
     facets_.remember_sphere(simplex);
   }
 
@@ -165,7 +157,10 @@ class Construction {
     for (const InsertionRound& round : insertion_rounds(points_.size())) {
       const std::size_t threads = worth_threads(round.size(), options_.threads);
       if (threads == 1) {
-        insert(round, [&](std::size_t k) { report(k); });
+        std::size_t in = 0;
+        round.each(0, points_.size(), [&](std::size_t v) {
+          if (!in_simplex(static_cast<Site>(v))) insert(static_cast<Site>(v), in);
+        });
       } else {
         insert_in_parallel(round, threads);
       }
@@ -196,31 +191,25 @@ class Construction {
                       static_cast<double>(points_.size()));
   }
 
-  /// Calls told(k) now and then, with the number of sites that are in.
-  template <class Sites, class Told>
-  void insert(const Sites& sites, Told&& told) {
+  /// Reports now and then. `in` is how many of the round are in.
+  void insert(Site s, std::size_t& in) {
     constexpr std::size_t kTellEvery = 65536;
-    std::size_t in = 0;
-    each_site(sites, [&](Site s) {
-      if (in_simplex(s)) return;
-      inserter_.insert(s);
-      if (in++ % kTellEvery == 0) told(in);
-    });
+    inserter_.insert(s);
+    if (in++ % kTellEvery == 0) report(in);
   }
 
   /// What no thread's range could hold, and what is not worth sharing, comes after that, on one
   /// thread.
   void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
-    std::vector<Site> sites;
-    sites.reserve(round.size());
-    each_site(round, [&](Site s) {
-      if (!in_simplex(s)) sites.push_back(s);
+    hull::SiteSet sites(points_.size());
+    round.each(0, points_.size(), [&](std::size_t v) { sites.insert(static_cast<Site>(v)); });
+    for (const Site s : simplex_) sites.erase(s);
+    stretches_.insert(sites, threads, [&](std::size_t k) { report(k); });
+    std::size_t in = round.size() - sites.count();
+    sites.each(0, static_cast<Site>(points_.size()), [&](Site s) {
+      insert(s, in);
+      return true;
     });
-    hull::Stretches stretches(facets_, inserter_, points_.size(), threads);
-    const std::vector<Site> left =
-        stretches.insert(std::move(sites), [&](std::size_t k) { report(k); });
-    stretches.end();
-    insert(left, [&](std::size_t k) { report(round.size() - left.size() + k); });
   }
 
   bool in_simplex(Site s) const { return std::ranges::find(simplex_, s) != simplex_.end(); }
@@ -229,9 +218,10 @@ class Construction {
   std::array<Site, 4> simplex_;  ///< the first one, which is not inserted
   const LiftedHullOptions& options_;
   Facets facets_;
-  LargeArray<FacetIndex> known_;  ///< see Inserter
+  std::vector<FacetIndex> known_;  ///< see Inserter
   bool by_four_;
   Inserter inserter_;
+  hull::Stretches stretches_;
   std::size_t done_ = 0;  ///< by whole rounds
   std::size_t told_ = 0;
 };
