@@ -33,25 +33,26 @@ void Inserter::take_over(Inserter& other) {
   other.rooms_.clear();
 }
 
-void Inserter::move_to(const SiteRange& own, const SiteSet& sites) noexcept {
-  own_ = own;
+void Inserter::move_to(const SiteRange& range, const SiteSet& sites) noexcept {
+  own_ = range;
   last_ = kNone;
   beyond_.clear();
   constexpr Site kAhead = 16;
   const auto groups = static_cast<Site>(known_.size());
   Site next = 0;  // groups before this one are done
-  sites.each_word([&](Site begin) {
-    const Site first = begin / kGroup;
-    const Site end = std::min(first + SiteSet::kPerWord / kGroup, groups);
+  for (Site block = 0; block < sites.block_count(); ++block) {
+    if (sites.count_in(block) == 0 || !own_.contains(block * kBlock)) continue;
+    const Site first = block * (kBlock / kGroup);
+    const Site end = std::min(first + kBlock / kGroup, groups);
     for (next = std::max(next, first - std::min(first, kBack)); next < end; ++next) {
-      FacetIndex& known = known_[next];
-      if (const FacetIndex ahead = known_[std::min(next + kAhead, groups - 1)]; ahead != kNone) {
-        facets_.prefetch(ahead);  // it lies anywhere in memory
+      const Site ahead = std::min(next + kAhead, groups - 1);
+      if (own_.contains(ahead * kGroup) && known_[ahead] != kNone) {
+        facets_.prefetch(known_[ahead]);  // it lies anywhere in memory
       }
-      if (known == kNone || !own_.contains(next * kGroup)) continue;
-      if (!in_group(known, next) || !this->own(known)) known = kNone;
+      if (!own_.contains(next * kGroup) || known_[next] == kNone) continue;
+      if (!in_group(known_[next], next) || !own(known_[next])) known_[next] = kNone;
     }
-  });
+  }
 }
 
 void Inserter::begin_at_last_of(const Inserter& helper) {

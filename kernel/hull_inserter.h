@@ -7,14 +7,14 @@
 #include "kernel/hull_cone.h"
 #include "kernel/hull_facets.h"
 #include "kernel/hull_region.h"
-#include "kernel/hull_site_set.h"
+#include "kernel/hull_sites.h"
 #include "kernel/point.h"
 
 /// Quickhull with one point at a time. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
-/// So many sites one behind the other share a facet that is known, see Inserter. A range begins and
-/// ends with such a group.
+/// So many sites one behind the other, a part of a block, share a facet that is known, see
+/// Inserter.
 inline constexpr Site kGroup = 8;
 
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
@@ -43,7 +43,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// Gives a helper the range in which it will insert these. Of the facets that it knows about near
   /// them it keeps those that live and are its own: others' may change under its hands later. All
   /// helpers may do so at a time, while none inserts.
-  void move_to(const SiteRange& own, const SiteSet& sites) noexcept;
+  void move_to(const SiteRange& range, const SiteSet& sites) noexcept;
   /// Begins the next walk where a helper's last point was, if one was found since it moved. Must
   /// come before helpers move: then what was there before may go.
   void begin_at_last_of(const Inserter& helper);

@@ -18,8 +18,8 @@ FacetIndex Inserter::locate(Site q) const {
   if (own_.all()) return found;
   const Site group = q / kGroup;
   const Site end = group - std::min(group, kBack);
-  for (Site g = group + 1; found == kNone && tries > 0 && g-- > end && own_.contains(g * kGroup);) {
-    if (known_[g] == kNone || !in_group(known_[g], g)) continue;
+  for (Site g = group + 1; found == kNone && tries > 0 && g-- > end;) {
+    if (!own_.contains(g * kGroup) || known_[g] == kNone || !in_group(known_[g], g)) continue;
     found = walk(q, known_[g]);
     --tries;
   }

@@ -1,41 +1,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
-#include "kernel/four_lanes.h"
 #include "kernel/hull_facets.h"
+#include "kernel/hull_sites.h"
 #include "kernel/large_block.h"
 
 /// The part of a hull that a point sees. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
-
-/// Sites [begin, end); where end comes before begin: those from begin and those before end.
-struct Arc {
-  Site begin = 0;
-  Site end = 0;
-  bool contains(Site s) const { return Site{s - begin} < Site{end - begin}; }
-};
-
-/// The sites that one thread may touch: two arcs' of the curve, and the one at infinity, which is
-/// everybody's.
-struct SiteRange {
-  Arc first{0, kAtInfinity};
-  Arc second{};
-  bool contains(Site s) const {
-    return first.contains(s) || second.contains(s) || s == kAtInfinity;
-  }
-  /// All four, without a branch on which.
-  bool contains(const std::array<Site, 4>& sites) const {
-    const FourIndices four = four_of(sites.data());
-    const auto outside_of = [&](const Arc& arc) { return four - arc.begin >= arc.end - arc.begin; };
-    return first_bits(outside_of(first) & outside_of(second) & (four != kAtInfinity)) == 0;
-  }
-  bool all() const { return first.begin == 0 && first.end == kAtInfinity; }
-};
 
 /// A stack that is told ahead how much it may hold, and afterwards how much it does: to fill it
 /// takes no more than stores.

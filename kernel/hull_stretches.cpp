@@ -18,20 +18,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <utility>
 
+#include "kernel/box.h"
 #include "kernel/parallel.h"
 
 namespace tetsculpt::hull {
 namespace {
 
-/// Passes whose ranges have no border in common.
-constexpr std::size_t kCycle = 3;
-constexpr std::size_t kCellsPerThread = 4;
-/// Sites that are worth a thread, or a piece of its own.
+/// Sites that are worth a thread.
 constexpr std::size_t kWorthAThread = 1024;
-constexpr std::size_t kWorthAPiece = 256;
-constexpr std::size_t kMostSlices = 8;  ///< per cell
 
 /// Also where an exception ends what it is for.
 struct SetAtEnd {
@@ -39,93 +36,148 @@ struct SetAtEnd {
   ~SetAtEnd() { flag = true; }
 };
 
+/// A plane across an axis, and the share of sites below it.
+struct Cut {
+  double at = 0;
+  double below = 0;
+};
+
+/// Of sites in blocks, about a share below.
+template <class Blocks>
+Cut cut_across(std::size_t axis, double share, const Blocks& blocks, const SiteSet& sites) {
+  constexpr std::size_t kSample = 4096;
+  struct Sampled {
+    double at;
+    std::size_t count;
+  };
+  std::vector<Sampled> sample;
+  const std::size_t step = std::max<std::size_t>(blocks.size() / kSample, 1);
+  for (std::size_t k = 0; k < blocks.size(); k += step) {
+    const std::size_t count = sites.count_in(blocks[k].index);
+    if (count > 0) sample.push_back({blocks[k].at[axis], count});
+  }
+  std::ranges::sort(sample, {}, &Sampled::at);
+  const auto add = [](std::size_t sum, const Sampled& s) { return sum + s.count; };
+  const auto all =
+      static_cast<double>(std::accumulate(sample.begin(), sample.end(), std::size_t{0}, add));
+  Cut cut;
+  double below = 0;
+  for (const Sampled& s : sample) {
+    if (s.at > cut.at || below == 0) cut = {s.at, below / all};
+    if (below >= share * all) break;
+    below += static_cast<double>(s.count);
+  }
+  return cut;
+}
+
 }  // namespace
 
-Stretches::Stretches(Facets& facets, Inserter& inserter, std::size_t site_count)
-    : facets_(facets), inserter_(inserter), site_count_(site_count) {}
+Stretches::Stretches(std::span<const Point3> points, Facets& facets, Inserter& inserter)
+    : points_(points), facets_(facets), inserter_(inserter) {}
 
 void Stretches::insert(SiteSet& sites, std::size_t threads, const Told& told) {
-  threads_ = threads;
+  if (blocks_.empty()) set_blocks();
   while (helpers_.size() < threads) helpers_.push_back(inserter_.helper());
+  own_.resize(threads);
   inserter_.mark_free();
   helpers_[0].take_over(inserter_);
   const std::size_t all = sites.count();
   passes_ = 0;
   for (std::size_t left = all; worth_sharing(left);) {
-    slices_ = std::clamp<std::size_t>(left / (cells() * kWorthAPiece), 1, kMostSlices);
-    pass(sites, [&](std::size_t tried) { told(all - left + tried); });
+    const std::size_t turn = passes_;
+    if (turn < kAxes && failing_[turn]) break;
+    const std::size_t tried = pass(sites, [&](std::size_t k) { told(all - left + k); });
     const std::size_t before = std::exchange(left, sites.count());
-    if (passes_ >= kCycle && left > before / 4 * 3) break;
+    const bool failing = before - left <= tried / 4;
+    if (turn < kAxes) {
+      failing_[turn] = failing;
+    } else if (failing) {
+      break;
+    }
   }
   for (Inserter& helper : helpers_) inserter_.take_over(helper);
 }
 
-bool Stretches::worth_sharing(std::size_t count) const { return count / kWorthAThread >= threads_; }
-
-std::size_t Stretches::cells() const { return kCellsPerThread * threads_; }
-
-/// Where a slice of the curve begins.
-Site Stretches::cut(std::size_t slice) const {
-  const std::size_t slices = cells() * slices_;
-  if (slice == slices) return static_cast<Site>(site_count_);
-  return static_cast<Site>(site_count_ * slice / slices / SiteSet::kPerWord * SiteSet::kPerWord);
-}
-
-/// Of two pairs of neighbouring cells. Slice by slice of all of them: what it leaves when it stops
-/// lies in all four.
-Stretches::Share Stretches::share_of(const std::array<std::size_t, 4>& cells) const {
-  const auto begin = [&](std::size_t cell) { return cut(cell * slices_); };
-  const auto end = [&](std::size_t cell) { return cut((cell + 1) * slices_); };
-  Share share;
-  share.range = {{begin(cells[0]), end(cells[1])}, {begin(cells[2]), end(cells[3])}};
-  for (std::size_t slice = 0; slice < slices_; ++slice) {
-    for (const std::size_t cell : cells) {
-      share.pieces.push_back({cut(cell * slices_ + slice), cut(cell * slices_ + slice + 1)});
-    }
+/// Cuts the longest side first.
+void Stretches::set_blocks() {
+  Box box;
+  for (std::size_t b = 0; b * kBlock < points_.size(); ++b) {
+    const Point3& p = points_[std::min(b * kBlock + kBlock / 2, points_.size() - 1)];
+    blocks_.push_back({static_cast<std::uint32_t>(b), {p.x, p.y, p.z}});
+    box.include(p);
   }
-  return share;
+  thread_of_.resize(blocks_.size());
+  const std::array<double, kAxes> sides{box.high.x - box.low.x, box.high.y - box.low.y,
+                                        box.high.z - box.low.z};
+  std::ranges::stable_sort(axes_, std::ranges::greater{}, [&](std::size_t a) { return sides[a]; });
 }
 
-/// Of equal cells of the curve. With two threads these are octants of a cube, as the curve has
-/// them, four for each: 0 to 3, then 2 to 5, then 1, 2, 5 and 6, halves along one axis, along
-/// another and along the third.
-std::vector<Stretches::Share> Stretches::next_shares() {
-  const std::size_t kind = passes_++ % kCycle;
-  std::vector<Share> shares;
-  for (std::size_t t = 0; t < threads_; ++t) {
-    const std::size_t first = kind < 2 ? 4 * t + 2 * kind : 2 * t + 1;
-    const std::size_t second = kind < 2 ? first + 2 : first + cells() / 2;
-    shares.push_back(share_of({first % cells(), (first + 1) % cells(),  //
-                               second % cells(), (second + 1) % cells()}));
+bool Stretches::worth_sharing(std::size_t count) const {
+  return count / kWorthAThread >= own_.size();
+}
+
+/// Cuts blocks into parts for so many threads from the first on, each with as many of the sites.
+void Stretches::share(std::span<Block> blocks, std::size_t first, std::size_t threads,
+                      std::size_t turn, const SiteSet& sites) {
+  if (threads == 1) {
+    for (const Block& b : blocks) thread_of_[b.index] = static_cast<std::uint16_t>(first);
+    return;
   }
-  return shares;
+  const std::size_t lower = threads / 2;
+  const double share_below = static_cast<double>(lower) / static_cast<double>(threads);
+  std::size_t axis = 0;
+  Cut cut;
+  // Another axis where many are in one plane.
+  for (std::size_t tries = 0; tries < kAxes; ++tries) {
+    axis = axes_[turn++ % kAxes];
+    cut = cut_across(axis, share_below, blocks, sites);
+    if (cut.below > share_below / 2) break;
+  }
+  const auto upper = std::partition(blocks.begin(), blocks.end(),
+                                    [&](const Block& b) { return b.at[axis] < cut.at; });
+  const auto size = static_cast<std::size_t>(upper - blocks.begin());
+  share(blocks.first(size), first, lower, turn, sites);
+  share(blocks.subspan(size), first + lower, threads - lower, turn, sites);
 }
 
-void Stretches::pass(SiteSet& sites, const Told& told) {
+/// Returns how many sites were tried.
+std::size_t Stretches::pass(SiteSet& sites, const Told& told) {
   constexpr std::size_t kTellEvery = 65536;
-  const std::vector<Share> shares = next_shares();
-  parallel_each(threads_, [&](std::size_t t) { helpers_[t].move_to(shares[t].range, sites); });
+  const std::size_t threads = own_.size();
+  share(blocks_, 0, threads, passes_++, sites);
+  std::vector<std::size_t> todo(threads);
+  parallel_each(threads, [&](std::size_t t) {
+    own_[t].assign(blocks_.size() + 1, 1);
+    std::size_t sum = 0;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      own_[t][b] = thread_of_[b] == t;
+      sum += own_[t][b] * sites.count_in(b);
+    }
+    todo[t] = sum;
+    helpers_[t].move_to(SiteRange(own_[t]), sites);
+  });
   facets_.share();
   std::atomic<bool> over = false;
-  parallel_each(threads_, [&](std::size_t t) {
+  std::vector<std::size_t> tried(threads);
+  parallel_each(threads, [&](std::size_t t) {
     const SetAtEnd at_end{over};
     Inserter& helper = helpers_[t];
-    std::size_t left = 0;
-    for (const Piece& piece : shares[t].pieces) left += sites.count(piece.begin, piece.end);
-    std::size_t tried = 0;
-    for (const Piece& piece : shares[t].pieces) {
-      const bool whole = sites.each(piece.begin, piece.end, [&](Site s) {
-        if (over.load(std::memory_order_relaxed) && worth_sharing(left - tried)) return false;
-        if (helper.insert(s)) sites.erase(s);
-        if (t == 0 && tried % kTellEvery == 0) told(tried);
-        ++tried;
-        return true;
-      });
-      if (!whole) return;
+    std::size_t k = 0;
+    const auto attempt = [&](Site s) {
+      if (over.load(std::memory_order_relaxed) && worth_sharing(todo[t] - k)) return false;
+      if (helper.insert(s)) sites.erase(s);
+      if (t == 0 && k % kTellEvery == 0) told(k);
+      ++k;
+      return true;
+    };
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (own_[t][b] != 0 && !sites.each_in(b, attempt)) break;
     }
+    tried[t] = k;
   });
   facets_.unshare();
   for (const Inserter& helper : helpers_) inserter_.begin_at_last_of(helper);
+  return std::accumulate(tried.begin(), tried.end(), std::size_t{0});
 }
 
 }  // namespace tetsculpt::hull

@@ -2,12 +2,15 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
-#include "kernel/hull_site_set.h"
+#include "kernel/hull_sites.h"
+#include "kernel/point.h"
 
 /// Several threads on one hull. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
@@ -20,37 +23,36 @@ class Stretches {
   /// caller gets, as soon as threads are done with what is not worth sharing.
   using Told = std::function<void(std::size_t)>;
 
-  Stretches(Facets& facets, Inserter& inserter, std::size_t site_count);
+  Stretches(std::span<const Point3> points, Facets& facets, Inserter& inserter);
   /// Inserts sites on two threads or more, from where the inserter is and in passes whose ranges
   /// have other borders each time, as long as that brings something; the inserter goes on from
   /// there. What is left stays.
   void insert(SiteSet& sites, std::size_t threads, const Told& told);
 
  private:
-  /// Sites [begin, end).
-  struct Piece {
-    Site begin, end;
-  };
-  /// A thread's part of a pass: a range in pieces, in the order in which it takes them.
-  struct Share {
-    SiteRange range;
-    std::vector<Piece> pieces;
+  static constexpr std::size_t kAxes = 3;
+  /// A block and a point of it.
+  struct Block {
+    std::uint32_t index;
+    std::array<double, kAxes> at;
   };
 
+  void set_blocks();
   bool worth_sharing(std::size_t count) const;
-  std::size_t cells() const;
-  Site cut(std::size_t slice) const;
-  Share share_of(const std::array<std::size_t, 4>& cells) const;
-  std::vector<Share> next_shares();
-  void pass(SiteSet& sites, const Told& told);
+  void share(std::span<Block> blocks, std::size_t first, std::size_t threads, std::size_t turn,
+             const SiteSet& sites);
+  std::size_t pass(SiteSet& sites, const Told& told);
 
+  std::span<const Point3> points_;
   Facets& facets_;
   Inserter& inserter_;
-  std::size_t site_count_;
-  std::size_t threads_ = 0;
-  std::size_t slices_ = 1;         ///< per cell
-  std::vector<Inserter> helpers_;  ///< one per thread
-  std::size_t passes_ = 0;         ///< of this insert()
+  std::vector<Inserter> helpers_;                 ///< one per thread
+  std::vector<Block> blocks_;                     ///< in any order
+  std::array<std::size_t, kAxes> axes_{0, 1, 2};  ///< in the order of cuts
+  std::vector<std::uint16_t> thread_of_;          ///< per block
+  std::vector<std::vector<std::uint8_t>> own_;    ///< per thread, see SiteRange
+  std::size_t passes_ = 0;                        ///< of this insert()
+  std::array<bool, kAxes> failing_{};  ///< whether little went in at this turn, last time
 };
 
 }  // namespace tetsculpt::hull

@@ -69,10 +69,11 @@
 
 #include "kernel/distinct_points.h"
 #include "kernel/first_simplex.h"
+#include "kernel/four_lanes.h"
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
 #include "kernel/hull_output.h"
-#include "kernel/hull_site_set.h"
+#include "kernel/hull_sites.h"
 #include "kernel/hull_stretches.h"
 #include "kernel/insertion_order.h"
 #include "kernel/large_array.h"
@@ -149,7 +150,7 @@ class Construction {
         known_(options.threads > 1 ? points.size() / hull::kGroup + 1 : 0, hull::kNone),
         by_four_(options.four_lanes && hull::has_four_lanes()),
         inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_),
-        stretches_(facets_, inserter_, points.size()) {
+        stretches_(points, facets_, inserter_) {
     facets_.remember_sphere(simplex);
   }
 
@@ -206,10 +207,12 @@ class Construction {
     for (const Site s : simplex_) sites.erase(s);
     stretches_.insert(sites, threads, [&](std::size_t k) { report(k); });
     std::size_t in = round.size() - sites.count();
-    sites.each(0, static_cast<Site>(points_.size()), [&](Site s) {
-      insert(s, in);
-      return true;
-    });
+    for (std::size_t block = 0; block < sites.block_count(); ++block) {
+      sites.each_in(block, [&](Site s) {
+        insert(s, in);
+        return true;
+      });
+    }
   }
 
   bool in_simplex(Site s) const { return std::ranges::find(simplex_, s) != simplex_.end(); }

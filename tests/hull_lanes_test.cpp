@@ -13,6 +13,7 @@
 #include "kernel/distinct_points.h"
 #include "tests/support/hull_regions.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/site_blocks.h"
 
 namespace tetsculpt::hull {
 namespace {
@@ -63,7 +64,8 @@ void check_walks(const std::vector<Point3>& set, std::size_t parts, Walks& walks
   for (std::size_t part = 0; part < parts; ++part) {
     const auto begin = static_cast<Site>(sites.size() * part / parts);
     const auto end = static_cast<Site>(sites.size() * (part + 1) / parts);
-    walk_all(facets, apex, parts == 1 ? SiteRange{} : SiteRange{{begin, end}}, walks);
+    const hull_regions::SiteBlocks blocks = hull_regions::blocks_of(sites.size(), begin, end);
+    walk_all(facets, apex, parts == 1 ? SiteRange{} : blocks.range(), walks);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -11,12 +12,15 @@
 #include "kernel/hull_region.h"
 #include "tests/support/hull_regions.h"
 #include "tests/support/point_sets.h"
+#include "tests/support/site_blocks.h"
 
 namespace tetsculpt::hull {
 namespace {
 
+using hull_regions::blocks_of;
 using hull_regions::Expected;
 using hull_regions::marked;
+using hull_regions::SiteBlocks;
 using hull_regions::sorted;
 
 /// Whether the region of the last site lies within the range, by the corners of what it sees.
@@ -42,50 +46,60 @@ void grow(Facets& facets, const Expected& expected, Site apex, const SiteRange& 
   }
 }
 
-TEST_CASE("ranges, and marks that others left beyond") {
-  for (const std::vector<Point3>& set : {point_sets::uniform_cube(300, 2), point_sets::grid(5)}) {
+TEST_CASE("ranges that end with the curve") {
+  for (const std::vector<Point3>& set : {point_sets::uniform_cube(500, 2), point_sets::grid(8)}) {
     const LargeArray<Point3> sites = distinct_points(set).points;
     hull_regions::Hull facets(sites);
     const auto apex = static_cast<Site>(sites.size() - 1);
     const Expected expected(facets, facets.size(), apex);
     Grown grown;
-    for (Site begin = 0; begin < apex; ++begin) {
-      const SiteRange own{{begin, apex}};
-      grow(facets, expected, apex, own, grown);
+    for (Site begin = 0; begin < apex + kBlock; begin += kBlock) {
+      grow(facets, expected, apex, blocks_of(sites.size(), begin, apex).range(), grown);
     }
     CHECK(grown.inside > 0);
     CHECK(grown.outside > 0);
   }
 }
 
-TEST_CASE("ranges of two arcs") {
-  const LargeArray<Point3> sites = distinct_points(point_sets::uniform_cube(300, 2)).points;
+TEST_CASE("ranges of any blocks") {
+  const LargeArray<Point3> sites = distinct_points(point_sets::uniform_cube(500, 2)).points;
   hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   const Expected expected(facets, facets.size(), apex);
+  std::mt19937 random(3);
   Grown grown;
-  for (Site gap = 1; gap < apex - 4; ++gap) {
-    // All but a gap in the middle, the second arc beyond the curve's end.
-    const Site begin = (apex - gap) / 2;
-    const SiteRange own{{begin / 2, begin}, {begin + gap, begin / 2}};
+  for (int k = 0; k < 100; ++k) {
+    SiteBlocks blocks(sites.size());
+    std::vector<bool> taken(blocks.count());
+    for (std::size_t b = 0; b < blocks.count(); ++b) {
+      taken[b] = random() % 20 != 0;
+      if (taken[b]) blocks.take(b);
+    }
+    const SiteRange own = blocks.range();
+    REQUIRE(!own.all());
+    REQUIRE(own.contains(kAtInfinity));
     for (Site s = 0; s <= apex; ++s) {
-      const bool in_gap = s >= begin && s < begin + gap;
-      REQUIRE(own.contains(s) == !in_gap);
-      REQUIRE(own.contains({s, begin / 2, kAtInfinity, begin + gap}) == !in_gap);
+      REQUIRE(own.contains(s) == taken[s / kBlock]);
+      const Site other = apex - s;
+      const bool both = taken[s / kBlock] && taken[other / kBlock];
+      REQUIRE(own.contains({s, s, other, s}) == both);
+      REQUIRE(own.contains({other, s, s, kAtInfinity}) == both);
     }
     grow(facets, expected, apex, own, grown);
   }
+  CHECK(SiteRange().contains({apex, 0, 1, kAtInfinity}));
   CHECK(grown.inside > 0);
   CHECK(grown.outside > 0);
 }
 
 TEST_CASE("what others have marked is not cut off") {
-  const LargeArray<Point3> sites = distinct_points(point_sets::grid(5)).points;
+  const LargeArray<Point3> sites = distinct_points(point_sets::grid(8)).points;
   hull_regions::Hull facets(sites);
   const auto apex = static_cast<Site>(sites.size() - 1);
   const Expected expected(facets, facets.size(), apex);
-  SiteRange own{{apex - 1, apex}};
-  while (!within(facets, expected, own)) --own.first.begin;
+  SiteBlocks blocks(sites.size());
+  for (std::size_t b = blocks.count(); !within(facets, expected, blocks.range());) blocks.take(--b);
+  const SiteRange own = blocks.range();
   for (FacetIndex f = 0; f < facets.size(); ++f) {
     // No neighbour of what is this thread's.
     const auto is_own = [&](Ridge r) { return own.contains(facets.corners(facet_of(r))); };

@@ -24,7 +24,7 @@ foreach(
   hull_range_test
   hull_region_test
   hull_room_test
-  hull_site_set_test
+  hull_sites_test
   hull_sphere_test
   hull_spokes_test
   perturbation_sphere_test
