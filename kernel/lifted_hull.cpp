@@ -46,17 +46,17 @@
 // error bound's square root by halving the exponent; output by lists per lowest corner, two passes
 // less (half as slow again). With -O2 instead of -O3 a fifth is lost.
 //
-// Threads: vertices are numbered along a Hilbert curve, so a stretch of it is a region. Each thread
-// inserts a region's points, see kernel/hull_stretches. What would touch another's facets, 5 % of
-// the points of a cube and 25 % of a bumpy sphere, where the tetrahedra inside have corners
-// everywhere, comes after that, in regions with other borders. (Nearly all
-// points of a sphere waited while walks stuck at the border of a range did not begin anew near the
-// point.) Tried while they did: threads in step, each finds out what 16 of its points change and
-// leaves marks without locks, then makes the changes that kept all marks. One in 5,000 met another,
-// but threads waited a fifth of the time for the one with the larger cavities, and what lies
-// between the two halves costs the nearest cache: no faster than one thread on a sphere, slower on
-// a cube. A facet that belongs to whom three of its corners are, instead of all four: 4 % fewer of
-// a sphere's points wait, for a tenth more instructions.
+// Threads: vertices are numbered along a Hilbert curve, so a block of them is a small region. Each
+// thread inserts the points of blocks on one side of a cut, see kernel/hull_shares. What would
+// touch another's facets, 5 % of the points of a cube and 13 % of a bumpy sphere, where the
+// tetrahedra inside have corners everywhere, comes after that, in regions with other borders.
+// (Nearly all points of a sphere waited while walks stuck at the border of a range did not begin
+// anew near the point.) Tried while they did: threads in step, each finds out what 16 of its points
+// change and leaves marks without locks, then makes the changes that kept all marks. One in 5,000
+// met another, but threads waited a fifth of the time for the one with the larger cavities, and
+// what lies between the two halves costs the nearest cache: no faster than one thread on a sphere,
+// slower on a cube. A facet that belongs to whom three of its corners are, instead of all four: 4 %
+// fewer of a sphere's points wait, for a tenth more instructions.
 #include "kernel/lifted_hull.h"
 
 #include <algorithm>
@@ -73,8 +73,8 @@
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
 #include "kernel/hull_output.h"
+#include "kernel/hull_shares.h"
 #include "kernel/hull_sites.h"
-#include "kernel/hull_stretches.h"
 #include "kernel/insertion_order.h"
 #include "kernel/large_array.h"
 #include "kernel/parallel.h"
@@ -149,8 +149,8 @@ class Construction {
         facets_(points, unit_of(points, options.threads), options.threads),
         known_(options.threads > 1 ? points.size() / hull::kGroup + 1 : 0, hull::kNone),
         by_four_(options.four_lanes && hull::has_four_lanes()),
-        inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_),
-        stretches_(points, facets_, inserter_) {
+        inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_) {
+    if (options.threads > 1) shares_.emplace(points, facets_, inserter_);
     facets_.remember_sphere(simplex);
   }
 
@@ -172,6 +172,7 @@ class Construction {
   LiftedHull result() {
     report(0);  // all are in: the rounds' sizes are in done_
     inserter_.give_back();
+    shares_.reset();  // its tables' memory goes to the output
     std::function<void(double)> progress;
     if (options_.progress) {
       progress = [&](double share) { options_.progress(kInserting + (1 - kInserting) * share); };
@@ -205,7 +206,7 @@ class Construction {
     hull::SiteSet sites(points_.size());
     round.each(0, points_.size(), [&](std::size_t v) { sites.insert(static_cast<Site>(v)); });
     for (const Site s : simplex_) sites.erase(s);
-    stretches_.insert(sites, threads, [&](std::size_t k) { report(k); });
+    shares_->insert(sites, threads, [&](std::size_t k) { report(k); });
     std::size_t in = round.size() - sites.count();
     for (std::size_t block = 0; block < sites.block_count(); ++block) {
       sites.each_in(block, [&](Site s) {
@@ -224,8 +225,8 @@ class Construction {
   std::vector<FacetIndex> known_;  ///< see Inserter
   bool by_four_;
   Inserter inserter_;
-  hull::Stretches stretches_;
-  std::size_t done_ = 0;  ///< by whole rounds
+  std::optional<hull::Shares> shares_;  ///< with threads
+  std::size_t done_ = 0;                ///< by whole rounds
   std::size_t told_ = 0;
 };
 

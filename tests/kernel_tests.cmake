@@ -14,7 +14,7 @@ foreach(
   simplex_dimension_test
   hilbert_order_test
   insertion_order_test
-  hull_stretches_test
+  hull_shares_test
   hull_structure_test
   hull_convex_test
   delaunay_no_solid_test

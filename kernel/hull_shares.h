@@ -17,13 +17,13 @@ namespace tetsculpt::hull {
 
 /// Each thread inserts the sites of a range of its own, as far as it needs no facet that is
 /// another's. Which ones go in depends on how fast threads are; the hull of them all does not.
-class Stretches {
+class Shares {
  public:
   /// Told how many sites are in, or more; on the caller's thread. May throw: that is what the
   /// caller gets, as soon as threads are done with what is not worth sharing.
   using Told = std::function<void(std::size_t)>;
 
-  Stretches(std::span<const Point3> points, Facets& facets, Inserter& inserter);
+  Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter);
   /// Inserts sites on two threads or more, from where the inserter is and in passes whose ranges
   /// have other borders each time, as long as that brings something; the inserter goes on from
   /// there. What is left stays.
