@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -54,10 +55,12 @@ Cut cut_across(std::size_t axis, double share, const Blocks& blocks, const SiteS
     std::size_t count;
   };
   std::vector<Sampled> sample;
-  const std::size_t step = std::max<std::size_t>(blocks.size() / kSample, 1);
-  for (std::size_t k = 0; k < blocks.size(); k += step) {
-    const std::size_t count = sites.count_in(blocks[k].index);
-    if (count > 0) sample.push_back({blocks[k].at[axis], count});
+  const auto has_any = [&](const auto& block) { return sites.count_in(block.index) > 0; };
+  const auto filled = static_cast<std::size_t>(std::ranges::count_if(blocks, has_any));
+  std::size_t k = 0;
+  for (const auto& block : blocks) {
+    if (!has_any(block) || k++ % (filled / kSample + 1) != 0) continue;
+    sample.push_back({block.at[axis], sites.count_in(block.index)});
   }
   std::ranges::sort(sample, {}, &Sampled::at);
   const auto add = [](std::size_t sum, const Sampled& s) { return sum + s.count; };
@@ -86,11 +89,13 @@ void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
   helpers_[0].take_over(inserter_);
   const std::size_t all = sites.count();
   passes_ = 0;
+  std::size_t untried = 0;
   for (std::size_t left = all; worth_sharing(left);) {
     const std::size_t turn = passes_;
-    if (turn < kAxes && failing_[turn]) break;
+    if (turn > 0 && untried <= left / 2 && failing_from(turn)) break;
     const std::size_t tried = pass(sites, [&](std::size_t k) { told(all - left + k); });
     const std::size_t before = std::exchange(left, sites.count());
+    untried = before - tried;
     const bool failing = before - left <= tried / 4;
     if (turn < kAxes) {
       failing_[turn] = failing;
@@ -99,6 +104,12 @@ void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
     }
   }
   for (Inserter& helper : helpers_) inserter_.take_over(helper);
+}
+
+/// Whether little went in at all turns from this one on; of an earlier round, if there was one.
+bool Shares::failing_from(std::size_t turn) const {
+  return turn < kAxes && std::all_of(failing_.begin() + static_cast<std::ptrdiff_t>(turn),
+                                     failing_.end(), std::identity());
 }
 
 /// Cuts the longest side first.
@@ -118,13 +129,15 @@ void Shares::set_blocks() {
 bool Shares::worth_sharing(std::size_t count) const { return count / kWorthAThread >= own_.size(); }
 
 /// Cuts blocks into parts for so many threads from the first on, each with as many of the sites.
-void Shares::share(std::span<Block> blocks, std::size_t first, std::size_t threads,
-                   std::size_t turn, const SiteSet& sites) {
+void Shares::assign(std::span<Block> blocks, std::size_t first, std::size_t threads,
+                    std::size_t turn, const SiteSet& sites) {
   if (threads == 1) {
     for (const Block& b : blocks) thread_of_[b.index] = static_cast<std::uint16_t>(first);
     return;
   }
-  const std::size_t lower = threads / 2;
+  // Three halvings take all axes, in whatever order: not in the middle each time.
+  const std::size_t off = threads < 4 ? 0 : passes_ % 3;
+  const std::size_t lower = threads / 2 + (off == 2 ? 1 : 0) - (off == 1 ? 1 : 0);
   const double share_below = static_cast<double>(lower) / static_cast<double>(threads);
   std::size_t axis = 0;
   Cut cut;
@@ -137,15 +150,15 @@ void Shares::share(std::span<Block> blocks, std::size_t first, std::size_t threa
   const auto upper = std::partition(blocks.begin(), blocks.end(),
                                     [&](const Block& b) { return b.at[axis] < cut.at; });
   const auto size = static_cast<std::size_t>(upper - blocks.begin());
-  share(blocks.first(size), first, lower, turn, sites);
-  share(blocks.subspan(size), first + lower, threads - lower, turn, sites);
+  assign(blocks.first(size), first, lower, turn, sites);
+  assign(blocks.subspan(size), first + lower, threads - lower, turn, sites);
 }
 
 /// Returns how many sites were tried.
 std::size_t Shares::pass(SiteSet& sites, const Told& told) {
   constexpr std::size_t kTellEvery = 65536;
   const std::size_t threads = own_.size();
-  share(blocks_, 0, threads, passes_++, sites);
+  assign(blocks_, 0, threads, passes_++, sites);
   std::vector<std::size_t> todo(threads);
   parallel_each(threads, [&](std::size_t t) {
     own_[t].assign(blocks_.size() + 1, 1);

@@ -19,8 +19,8 @@ namespace tetsculpt::hull {
 /// another's. Which ones go in depends on how fast threads are; the hull of them all does not.
 class Shares {
  public:
-  /// Told how many sites are in, or more; on the caller's thread. May throw: that is what the
-  /// caller gets, as soon as threads are done with what is not worth sharing.
+  /// Told how many sites were taken, in or not, at least; on the caller's thread. May throw: that
+  /// is what the caller gets, as soon as threads are done with what is not worth sharing.
   using Told = std::function<void(std::size_t)>;
 
   Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter);
@@ -39,8 +39,9 @@ class Shares {
 
   void set_blocks();
   bool worth_sharing(std::size_t count) const;
-  void share(std::span<Block> blocks, std::size_t first, std::size_t threads, std::size_t turn,
-             const SiteSet& sites);
+  bool failing_from(std::size_t turn) const;
+  void assign(std::span<Block> blocks, std::size_t first, std::size_t threads, std::size_t turn,
+              const SiteSet& sites);
   std::size_t pass(SiteSet& sites, const Told& told);
 
   std::span<const Point3> points_;
@@ -52,7 +53,7 @@ class Shares {
   std::vector<std::uint16_t> thread_of_;          ///< per block
   std::vector<std::vector<std::uint8_t>> own_;    ///< per thread, see SiteRange
   std::size_t passes_ = 0;                        ///< of this insert()
-  std::array<bool, kAxes> failing_{};  ///< whether little went in at this turn, last time
+  std::array<bool, kAxes> failing_{};             ///< whether little went in at a turn, last time
 };
 
 }  // namespace tetsculpt::hull

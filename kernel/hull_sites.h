@@ -22,14 +22,14 @@ class SiteRange {
  public:
   /// All of them.
   SiteRange() = default;
-  /// Those of the blocks for which there is not a zero. Behind the last block comes a one, for the
-  /// site at infinity.
+  /// Those of the blocks for which there is a one; for others there is a zero. Behind the last
+  /// block comes a one, for the site at infinity.
   explicit SiteRange(std::span<const std::uint8_t> blocks)
       : blocks_(blocks.data()), infinity_(static_cast<Site>(blocks.size() - 1)) {}
 
   bool all() const { return blocks_ == nullptr; }
   bool contains(Site s) const { return all() || at(s) != 0; }
-  /// All four, the last of which may be at infinity, without a branch on which.
+  /// All four corners of a facet that lives, without a branch on which.
   bool contains(const std::array<Site, 4>& sites) const {
     const auto [a, b, c, d] = sites;
     return all() || (blocks_[a / kBlock] & blocks_[b / kBlock] & blocks_[c / kBlock] & at(d)) != 0;

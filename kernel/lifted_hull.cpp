@@ -196,7 +196,8 @@ class Construction {
   /// Reports now and then. `in` is how many of the round are in.
   void insert(Site s, std::size_t& in) {
     constexpr std::size_t kTellEvery = 65536;
-    inserter_.insert(s);
+    [[maybe_unused]] const bool inserted = inserter_.insert(s);
+    assert(inserted);
     if (in++ % kTellEvery == 0) report(in);
   }
 

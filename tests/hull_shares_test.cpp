@@ -33,7 +33,7 @@ std::vector<Set> large_sets() {
           {"clusters, seed 3", point_sets::clusters(50000, 3)}};
 }
 
-/// In a thread's first stretch and those that follow when work is shared out again. The last round
+/// In a thread's first share and those that follow when work is shared out again. The last round
 /// is told from a tenth to 0.85 of the work.
 void sleep_in_last_round(double share) {
   if (share > 0.05 && share < 0.8) std::this_thread::sleep_for(kLong);
