@@ -2,13 +2,14 @@
 // machine, one of two halves of a million points took 430 to 690 ms, now the one and now the other.
 // So threads stop when the first is done, where there is enough left to share, and each cut has as
 // many of the sites left on one side as on the other.
-//     Blocks of sites are halved by planes, in each pass across another axis, the longest side of
-// the set first. What was not inserted after one, two and three passes when no thread stops early,
-// of the last round of a million points: cube 4.8, 0.3 and 0.01 %, bumpy sphere 13, 2.3 and 0.6 %,
-// a scanned statue 2.5, 0.2 and 0.04 %. On a torus 38 %: around the hole tetrahedra reach all
-// around, within the tube they reach around the tube, and any cut meets one or the other. So passes
-// that brought little in the round before are left out. To find that a point can't go in takes
-// little, see Inserter::sees_beyond.
+//     Blocks of sites are halved by planes, and again for more threads, in each pass across another
+// axis first, the longest side of the set to begin with. What was not inserted after one, two and
+// three passes when no thread stops early, of the last round of a million points on two threads:
+// cube 4.8, 0.3 and 0.01 %, bumpy sphere 13, 2.3 and 0.6 %, a scanned statue 2.5, 0.2 and 0.04 %.
+// On a torus 38 %: around the hole tetrahedra reach all around, within the tube they reach around
+// the tube, and any cut meets one or the other. So passes that brought little in a round before are
+// left out, unless they would spread what a slow thread left. To find that a point can't go in
+// takes little, see Inserter::sees_beyond.
 //     Before, ranges were octants of the curve, halves of a cube and of nothing else: on the bumpy
 // sphere 25 % waited, and what a thread left when it stopped lay in one corner. All four scans of
 // 270,000 points to a million now take 0.89 to 0.95 of the time, the cube 0.94, the bumpy sphere
