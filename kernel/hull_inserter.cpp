@@ -59,7 +59,7 @@ void Inserter::begin_at_last_of(const Inserter& helper) {
   if (helper.last_ != kNone) last_ = helper.last_;
 }
 
-bool Inserter::own(FacetIndex f) const { return own_.all() || own_.contains(facets_.corners(f)); }
+bool Inserter::own(FacetIndex f) const { return own_.contains(facets_.corners(f)); }
 
 /// Whether it lives and is at a site of that group.
 bool Inserter::in_group(FacetIndex f, Site group) const {

@@ -27,14 +27,13 @@ void decide(const Facets& facets, Site apex, std::size_t& hidden, Region& region
 /// the range may be marked by others.
 void cut_off_unclear(Facets& facets, const SiteRange& own, Region& region) {
   for (const Ridge r : region.visible) facets.mark(facet_of(r)) = Mark::kVisible;
-  const bool all_own = own.all();
   const std::size_t most = region.cut.size() + 4 * region.unclear.size();
   std::size_t size = region.cut.size();
   Ridge* const cut = region.cut.room_for(most + 1);
   for (const Ridge hidden : region.unclear) {
     for (const Ridge r : facets.neighbors(facet_of(hidden))) {
       const FacetIndex f = facet_of(r);
-      if (!all_own && !own.contains(facets.corners(f))) continue;
+      if (!own.contains(facets.corners(f))) continue;
       cut[size] = r;
       size += facets.mark(f) == Mark::kVisible;
     }

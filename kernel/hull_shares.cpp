@@ -89,17 +89,16 @@ void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
   inserter_.mark_free();
   helpers_[0].take_over(inserter_);
   const std::size_t all = sites.count();
-  passes_ = 0;
+  std::size_t left = all;
   std::size_t untried = 0;
-  for (std::size_t left = all; worth_sharing(left);) {
-    const std::size_t turn = passes_;
-    if (turn > 0 && untried <= left / 2 && failing_from(turn)) break;
+  for (passes_ = 0; worth_sharing(left); ++passes_) {
+    if (passes_ > 0 && untried <= left / 2 && failing_from(passes_)) break;
     const std::size_t tried = pass(sites, [&](std::size_t k) { told(all - left + k); });
     const std::size_t before = std::exchange(left, sites.count());
     untried = before - tried;
     const bool failing = before - left <= tried / 4;
-    if (turn < kAxes) {
-      failing_[turn] = failing;
+    if (passes_ < kAxes) {
+      failing_[passes_] = failing;
     } else if (failing) {
       break;
     }
@@ -121,7 +120,6 @@ void Shares::set_blocks() {
     blocks_.push_back({static_cast<std::uint32_t>(b), {p.x, p.y, p.z}});
     box.include(p);
   }
-  thread_of_.resize(blocks_.size());
   const std::array<double, kAxes> sides{box.high.x - box.low.x, box.high.y - box.low.y,
                                         box.high.z - box.low.z};
   std::ranges::stable_sort(axes_, std::ranges::greater{}, [&](std::size_t a) { return sides[a]; });
@@ -133,11 +131,13 @@ bool Shares::worth_sharing(std::size_t count) const { return count / kWorthAThre
 void Shares::assign(std::span<Block> blocks, std::size_t first, std::size_t threads,
                     std::size_t turn, const SiteSet& sites) {
   if (threads == 1) {
-    for (const Block& b : blocks) thread_of_[b.index] = static_cast<std::uint16_t>(first);
+    own_[first].assign(blocks_.size(), 0);
+    own_[first].push_back(1);
+    for (const Block& b : blocks) own_[first][b.index] = 1;
     return;
   }
   // Three halvings take all axes, in whatever order: not in the middle each time.
-  const std::size_t off = threads < 4 ? 0 : passes_ % 3;
+  const std::size_t off = threads < 4 ? 0 : passes_ % kAxes;
   const std::size_t lower = threads / 2 + (off == 2 ? 1 : 0) - (off == 1 ? 1 : 0);
   const double share_below = static_cast<double>(lower) / static_cast<double>(threads);
   std::size_t axis = 0;
@@ -159,15 +159,11 @@ void Shares::assign(std::span<Block> blocks, std::size_t first, std::size_t thre
 std::size_t Shares::pass(SiteSet& sites, const Told& told) {
   constexpr std::size_t kTellEvery = 65536;
   const std::size_t threads = own_.size();
-  assign(blocks_, 0, threads, passes_++, sites);
+  assign(blocks_, 0, threads, passes_, sites);
   std::vector<std::size_t> todo(threads);
   parallel_each(threads, [&](std::size_t t) {
-    own_[t].assign(blocks_.size() + 1, 1);
     std::size_t sum = 0;
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      own_[t][b] = thread_of_[b] == t;
-      sum += own_[t][b] * sites.count_in(b);
-    }
+    for (std::size_t b = 0; b < blocks_.size(); ++b) sum += own_[t][b] * sites.count_in(b);
     todo[t] = sum;
     helpers_[t].move_to(SiteRange(own_[t]), sites);
   });

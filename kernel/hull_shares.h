@@ -50,9 +50,8 @@ class Shares {
   std::vector<Inserter> helpers_;                 ///< one per thread
   std::vector<Block> blocks_;                     ///< in any order
   std::array<std::size_t, kAxes> axes_{0, 1, 2};  ///< in the order of cuts
-  std::vector<std::uint16_t> thread_of_;          ///< per block
-  std::vector<std::vector<std::uint8_t>> own_;    ///< per thread, see SiteRange
-  std::size_t passes_ = 0;                        ///< of this insert()
+  std::vector<std::vector<std::uint8_t>> own_;    ///< per thread and block, see SiteRange
+  std::size_t passes_ = 0;                        ///< that are done, of this insert()
   std::array<bool, kAxes> failing_{};             ///< whether little went in at a turn, last time
 };
 

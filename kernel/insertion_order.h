@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace tetsculpt {
 struct InsertionRound {
   /// A round is seven times as large as all before it.
   static constexpr std::size_t kRatio = 8;
+  static_assert(std::has_single_bit(kRatio));
 
   std::size_t vertex_count;  ///< of the set
   std::size_t step;          ///< a power of kRatio
