@@ -47,10 +47,12 @@ void Inserter::move_to(const SiteRange& range, const SiteSet& sites) noexcept {
     for (next = std::max(next, first - std::min(first, kBack)); next < end; ++next) {
       const Site ahead = std::min(next + kAhead, groups - 1);
       if (own_.contains(ahead * kGroup) && known_[ahead] != kNone) {
-        facets_.prefetch(known_[ahead]);  // it lies anywhere in memory
+        facets_.prefetch(known_[ahead] & ~kBarred);  // it lies anywhere in memory
       }
       if (!own_.contains(next * kGroup) || known_[next] == kNone) continue;
-      if (!in_group(known_[next], next) || !own(known_[next])) known_[next] = kNone;
+      const FacetIndex f = known_[next] & ~kBarred;
+      known_[next] = !in_group(f, next) ? kNone : own(f) ? f : f | kBarred;
+      if (last_ == kNone && known_[next] < kBarred) last_ = f;
     }
   }
 }
@@ -78,6 +80,20 @@ bool Inserter::insert(Site q) {
   replace_visible(q);
   if (!beyond_.empty()) beyond_.erase(beyond_.begin());
   return true;
+}
+
+std::size_t Inserter::insert_all(SiteSet& sites, const std::function<bool(std::size_t)>& go_on) {
+  std::size_t tried = 0;
+  const auto attempt = [&](Site s) {
+    if (!go_on(tried)) return false;
+    if (insert(s)) sites.erase(s);
+    ++tried;
+    return true;
+  };
+  for (Site block = 0; block < sites.block_count(); ++block) {
+    if (own_.contains(block * kBlock) && !sites.each_in(block, attempt)) break;
+  }
+  return tried;
 }
 
 /// Whether it clearly sees one of the facets beyond the range that are remembered, and so can't go

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -40,9 +41,9 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   Inserter helper() const { return {points_, facets_, {}, by_four_, known_}; }
   /// Takes what another one has left of its facets.
   void take_over(Inserter& other);
-  /// Gives a helper the range in which it will insert these. Of the facets that it knows about near
-  /// them it keeps those that live and are its own: others' may change under its hands later. All
-  /// helpers may do so at a time, while none inserts.
+  /// Gives a helper the range in which it will insert these. Of the facets that are known near them
+  /// it keeps those that live, and bars those that are not its own. All helpers may do so at a
+  /// time, while none inserts.
   void move_to(const SiteRange& range, const SiteSet& sites) noexcept;
   /// Begins the next walk where a helper's last point was, if one was found since it moved. Must
   /// come before helpers move: then what was there before may go.
@@ -51,10 +52,16 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// Inserts a point. False, and nothing has changed, if it needs facets outside of the range or
   /// more memory than the store has, or seems to.
   bool insert(Site q);
+  /// Inserts those of the sites that are in its range and can go in, and erases them, in ascending
+  /// order and while go_on() is true of how many were tried. Returns how many were.
+  std::size_t insert_all(SiteSet& sites, const std::function<bool(std::size_t)>& go_on);
 
  private:
   /// How many groups before a site's, along the curve, it looks back for one with a facet.
   static constexpr Site kBack = 8;
+
+  /// Marks a known facet that is not in the range: others may change it.
+  static constexpr FacetIndex kBarred = FacetIndex{1} << 31;
 
   bool own(FacetIndex f) const;
   bool in_group(FacetIndex f, Site group) const;
@@ -80,7 +87,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   std::vector<Ridge> free_;       ///< of facets that died or were never used; the last are next
   std::vector<FacetRoom> rooms_;  ///< where more come from
   /// Per group, a facet that was put up at one of its sites; it may be gone or another one since.
-  /// Empty if there are no helpers.
+  /// Barred or not. Empty if there are no helpers.
   std::span<FacetIndex> known_;
   /// Facets outside of the range that points see which could not go in; the latest that one was
   /// found to see are last. They live as long as the range stays.

@@ -22,7 +22,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -35,89 +37,112 @@ namespace {
 /// Sites that are worth a thread.
 constexpr std::size_t kWorthAThread = 1024;
 
+constexpr std::size_t kTellEvery = 65536;
+
+/// What one thread sets and others read all the time, on a cache line of its own.
+struct alignas(64) Flag {
+  std::atomic<bool> set = false;
+};
+
 /// Also where an exception ends what it is for.
 struct SetAtEnd {
   std::atomic<bool>& flag;
   ~SetAtEnd() { flag = true; }
 };
 
-/// A plane across an axis, and the share of sites below it.
-struct Cut {
-  double at = 0;
-  double below = 0;
+using Position = std::array<double, 3>;
+
+/// A point of a block, and how many sites are left in that.
+struct Sample {
+  Position at;
+  std::size_t count;
 };
 
-/// Of sites in blocks, about a share below.
-template <class Blocks>
-Cut cut_across(std::size_t axis, double share, const Blocks& blocks, const SiteSet& sites) {
-  constexpr std::size_t kSample = 4096;
-  struct Sampled {
-    double at;
-    std::size_t count;
-  };
-  std::vector<Sampled> sample;
-  const auto has_any = [&](const auto& block) { return sites.count_in(block.index) > 0; };
-  const auto filled = static_cast<std::size_t>(std::ranges::count_if(blocks, has_any));
+/// Of blocks in which sites are left, about so many or all.
+std::vector<Sample> sampled(const std::vector<Position>& at, const SiteSet& sites,
+                            std::size_t most) {
+  std::size_t filled = 0;
+  for (std::size_t b = 0; b < at.size(); ++b) {
+    if (sites.count_in(b) > 0) ++filled;
+  }
+  std::vector<Sample> samples;
   std::size_t k = 0;
-  for (const auto& block : blocks) {
-    if (!has_any(block) || k++ % (filled / kSample + 1) != 0) continue;
-    sample.push_back({block.at[axis], sites.count_in(block.index)});
+  for (std::size_t b = 0; b < at.size(); ++b) {
+    if (sites.count_in(b) == 0 || k++ % (filled / most + 1) != 0) continue;
+    samples.push_back({at[b], sites.count_in(b)});
   }
-  std::ranges::sort(sample, {}, &Sampled::at);
-  const auto add = [](std::size_t sum, const Sampled& s) { return sum + s.count; };
-  const auto all =
-      static_cast<double>(std::accumulate(sample.begin(), sample.end(), std::size_t{0}, add));
-  Cut cut;
-  double below = 0;
-  for (const Sampled& s : sample) {
-    if (s.at > cut.at || below == 0) cut = {s.at, below / all};
-    if (below >= share * all) break;
-    below += static_cast<double>(s.count);
-  }
-  return cut;
+  return samples;
 }
+
+/// A box, from low on and below high.
+struct Part {
+  Position low;
+  Position high;
+
+  bool contains(const Position& at) const {
+    bool inside = true;
+    for (std::size_t i = 0; i < at.size(); ++i) inside &= low[i] <= at[i] && at[i] < high[i];
+    return inside;
+  }
+};
+
+/// Halves space, and the halves.
+struct Cutter {
+  std::array<std::size_t, 3> axes;  ///< across which it cuts, in turn
+  std::size_t off;                  ///< where there are four or more: 1 or 2 not in the middle
+
+  /// Into as many parts as there is room for, with about as many sites in each.
+  void cut(const Part& whole, std::span<Sample> samples, std::span<Part> parts,
+           std::size_t turn) const {
+    if (parts.size() == 1) {
+      parts[0] = whole;
+      return;
+    }
+    std::size_t lower = parts.size() / 2;
+    if (parts.size() >= 4) lower = lower + (off == 2 ? 1 : 0) - (off == 1 ? 1 : 0);
+    const auto add = [](std::size_t sum, const Sample& s) { return sum + s.count; };
+    const std::size_t all = std::accumulate(samples.begin(), samples.end(), std::size_t{0}, add);
+    const std::size_t wanted = all * lower / parts.size();
+    std::size_t axis = 0;
+    Below below;
+    for (std::size_t tries = 0; tries < axes.size() && 2 * below.sites <= wanted; ++tries) {
+      axis = axes[turn++ % axes.size()];
+      below = sort_along(axis, samples, wanted);  // few if many are in one plane
+    }
+    Part low = whole;
+    Part high = whole;
+    const double at = below.samples > 0 ? samples[below.samples].at[axis] : whole.low[axis];
+    low.high[axis] = high.low[axis] = at;
+    cut(low, samples.first(below.samples), parts.first(lower), turn);
+    cut(high, samples.subspan(below.samples), parts.subspan(lower), turn);
+  }
+
+ private:
+  struct Below {
+    std::size_t samples = 0;
+    std::size_t sites = 0;
+  };
+
+  /// Returns how many of the first samples have about so many sites and are below all others.
+  static Below sort_along(std::size_t axis, std::span<Sample> samples, std::size_t wanted) {
+    std::ranges::sort(samples, {}, [&](const Sample& s) { return s.at[axis]; });
+    Below below;
+    std::size_t sum = 0;
+    for (std::size_t k = 0; k < samples.size() && sum < wanted; sum += samples[k++].count) {
+      if (k > 0 && samples[k - 1].at[axis] < samples[k].at[axis]) below = {k, sum};
+    }
+    return below;
+  }
+};
 
 }  // namespace
 
 Shares::Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter)
-    : points_(points), facets_(facets), inserter_(inserter) {}
-
-void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
-  if (blocks_.empty()) set_blocks();
-  while (helpers_.size() < threads) helpers_.push_back(inserter_.helper());
-  own_.resize(threads);
-  inserter_.mark_free();
-  helpers_[0].take_over(inserter_);
-  const std::size_t all = sites.count();
-  std::size_t left = all;
-  std::size_t untried = 0;
-  for (passes_ = 0; worth_sharing(left); ++passes_) {
-    if (passes_ > 0 && untried <= left / 2 && failing_from(passes_)) break;
-    const std::size_t tried = pass(sites, [&](std::size_t k) { told(all - left + k); });
-    const std::size_t before = std::exchange(left, sites.count());
-    untried = before - tried;
-    const bool failing = before - left <= tried / 4;
-    if (passes_ < kAxes) {
-      failing_[passes_] = failing;
-    } else if (failing) {
-      break;
-    }
-  }
-  for (Inserter& helper : helpers_) inserter_.take_over(helper);
-}
-
-/// Whether little went in at all turns from this one on; of an earlier round, if there was one.
-bool Shares::failing_from(std::size_t turn) const {
-  return turn < kAxes && std::all_of(failing_.begin() + static_cast<std::ptrdiff_t>(turn),
-                                     failing_.end(), std::identity());
-}
-
-/// Cuts the longest side first.
-void Shares::set_blocks() {
+    : facets_(facets), inserter_(inserter) {
   Box box;
-  for (std::size_t b = 0; b * kBlock < points_.size(); ++b) {
-    const Point3& p = points_[std::min(b * kBlock + kBlock / 2, points_.size() - 1)];
-    blocks_.push_back({static_cast<std::uint32_t>(b), {p.x, p.y, p.z}});
+  for (std::size_t k = 0; k < points.size(); k += kBlock) {
+    const Point3& p = points[std::min(k + kBlock / 2, points.size() - 1)];
+    at_.push_back({p.x, p.y, p.z});
     box.include(p);
   }
   const std::array<double, kAxes> sides{box.high.x - box.low.x, box.high.y - box.low.y,
@@ -125,66 +150,75 @@ void Shares::set_blocks() {
   std::ranges::stable_sort(axes_, std::ranges::greater{}, [&](std::size_t a) { return sides[a]; });
 }
 
-bool Shares::worth_sharing(std::size_t count) const { return count / kWorthAThread >= own_.size(); }
-
-/// Cuts blocks into parts for so many threads from the first on, each with as many of the sites.
-void Shares::assign(std::span<Block> blocks, std::size_t first, std::size_t threads,
-                    std::size_t turn, const SiteSet& sites) {
-  if (threads == 1) {
-    own_[first].assign(blocks_.size(), 0);
-    own_[first].push_back(1);
-    for (const Block& b : blocks) own_[first][b.index] = 1;
-    return;
+void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
+  while (helpers_.size() < threads) helpers_.push_back(inserter_.helper());
+  own_.resize(threads);
+  for (auto& own : own_) own.assign(sites.block_count() + 1, 1);
+  inserter_.mark_free();
+  helpers_[0].take_over(inserter_);
+  const std::size_t all = sites.count();
+  std::size_t left = all;
+  std::size_t untried = 0;
+  for (std::size_t k = 0; worth_sharing(left); ++k) {
+    if (k > 0 && untried <= left / 2 && failing_from(k)) break;
+    const std::size_t tried = pass(sites, k, [&](std::size_t now) { told(all - left + now); });
+    const std::size_t before = std::exchange(left, sites.count());
+    untried = before - tried;
+    const bool failing = before - left <= tried / 4;
+    if (k < kAxes) {
+      failing_[k] = failing;
+    } else if (failing) {
+      break;
+    }
   }
-  // Three halvings take all axes, in whatever order: not in the middle each time.
-  const std::size_t off = threads < 4 ? 0 : passes_ % kAxes;
-  const std::size_t lower = threads / 2 + (off == 2 ? 1 : 0) - (off == 1 ? 1 : 0);
-  const double share_below = static_cast<double>(lower) / static_cast<double>(threads);
-  std::size_t axis = 0;
-  Cut cut;
-  // Another axis where many are in one plane.
-  for (std::size_t tries = 0; tries < kAxes; ++tries) {
-    axis = axes_[turn++ % kAxes];
-    cut = cut_across(axis, share_below, blocks, sites);
-    if (cut.below > share_below / 2) break;
-  }
-  const auto upper = std::partition(blocks.begin(), blocks.end(),
-                                    [&](const Block& b) { return b.at[axis] < cut.at; });
-  const auto size = static_cast<std::size_t>(upper - blocks.begin());
-  assign(blocks.first(size), first, lower, turn, sites);
-  assign(blocks.subspan(size), first + lower, threads - lower, turn, sites);
+  for (Inserter& helper : helpers_) inserter_.take_over(helper);
+  inserter_.insert_all(sites, [&](std::size_t k) {
+    if (k % kTellEvery == 0) told(all - left + k);
+    return true;
+  });
+  assert(sites.count() == 0);
 }
 
+/// Whether little went in in all passes from this one on; of an earlier round, if there was one.
+bool Shares::failing_from(std::size_t pass) const {
+  return pass < kAxes && std::all_of(failing_.begin() + static_cast<std::ptrdiff_t>(pass),
+                                     failing_.end(), std::identity());
+}
+
+bool Shares::worth_sharing(std::size_t count) const { return count / kWorthAThread >= own_.size(); }
+
 /// Returns how many sites were tried.
-std::size_t Shares::pass(SiteSet& sites, const Told& told) {
-  constexpr std::size_t kTellEvery = 65536;
+std::size_t Shares::pass(SiteSet& sites, std::size_t turn, const Told& told) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::size_t threads = own_.size();
-  assign(blocks_, 0, threads, passes_, sites);
+  std::vector<Part> parts(threads);
+  constexpr std::size_t kSamples = 2048;
+  std::vector<Sample> samples = sampled(at_, sites, kSamples * threads);
+  // Three halvings take all axes, in whatever order: not in the middle each time.
+  const Cutter cutter{axes_, turn % kAxes};
+  cutter.cut({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, samples, parts, turn);
   std::vector<std::size_t> todo(threads);
   parallel_each(threads, [&](std::size_t t) {
+    const Part part = parts[t];
     std::size_t sum = 0;
-    for (std::size_t b = 0; b < blocks_.size(); ++b) sum += own_[t][b] * sites.count_in(b);
+    for (std::size_t b = 0; b < at_.size(); ++b) {
+      const std::uint8_t own = part.contains(at_[b]) ? 1 : 0;
+      own_[t][b] = own;
+      sum += own * sites.count_in(b);
+    }
     todo[t] = sum;
     helpers_[t].move_to(SiteRange(own_[t]), sites);
   });
   facets_.share();
-  std::atomic<bool> over = false;
+  Flag over;
   std::vector<std::size_t> tried(threads);
   parallel_each(threads, [&](std::size_t t) {
-    const SetAtEnd at_end{over};
-    Inserter& helper = helpers_[t];
-    std::size_t k = 0;
-    const auto attempt = [&](Site s) {
-      if (over.load(std::memory_order_relaxed) && worth_sharing(todo[t] - k)) return false;
-      if (helper.insert(s)) sites.erase(s);
+    const SetAtEnd at_end{over.set};
+    tried[t] = helpers_[t].insert_all(sites, [&, mine = todo[t]](std::size_t k) {
+      if (over.set.load(std::memory_order_relaxed) && worth_sharing(mine - k)) return false;
       if (t == 0 && k % kTellEvery == 0) told(k);
-      ++k;
       return true;
-    };
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (own_[t][b] != 0 && !sites.each_in(b, attempt)) break;
-    }
-    tried[t] = k;
+    });
   });
   facets_.unshare();
   for (const Inserter& helper : helpers_) inserter_.begin_at_last_of(helper);

@@ -25,34 +25,24 @@ class Shares {
 
   Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter);
   /// Inserts sites on two threads or more, from where the inserter is and in passes whose ranges
-  /// have other borders each time, as long as that brings something; the inserter goes on from
-  /// there. What is left stays.
+  /// have other borders each time, as long as that brings something, and the rest with the
+  /// inserter. None is left.
   void insert(SiteSet& sites, std::size_t threads, const Told& told);
 
  private:
   static constexpr std::size_t kAxes = 3;
-  /// A block and a point of it.
-  struct Block {
-    std::uint32_t index;
-    std::array<double, kAxes> at;
-  };
 
-  void set_blocks();
   bool worth_sharing(std::size_t count) const;
-  bool failing_from(std::size_t turn) const;
-  void assign(std::span<Block> blocks, std::size_t first, std::size_t threads, std::size_t turn,
-              const SiteSet& sites);
-  std::size_t pass(SiteSet& sites, const Told& told);
+  bool failing_from(std::size_t pass) const;
+  std::size_t pass(SiteSet& sites, std::size_t turn, const Told& told);
 
-  std::span<const Point3> points_;
+  std::vector<std::array<double, kAxes>> at_;  ///< a point of each block
   Facets& facets_;
   Inserter& inserter_;
+  std::array<std::size_t, kAxes> axes_{0, 1, 2};  ///< along the longest side of all sites first
   std::vector<Inserter> helpers_;                 ///< one per thread
-  std::vector<Block> blocks_;                     ///< in any order
-  std::array<std::size_t, kAxes> axes_{0, 1, 2};  ///< in the order of cuts
   std::vector<std::vector<std::uint8_t>> own_;    ///< per thread and block, see SiteRange
-  std::size_t passes_ = 0;                        ///< that are done, of this insert()
-  std::array<bool, kAxes> failing_{};             ///< whether little went in at a turn, last time
+  std::array<bool, kAxes> failing_{};             ///< whether little went in in a pass, last time
 };
 
 }  // namespace tetsculpt::hull

@@ -20,6 +20,7 @@ foreach(
   hull_cone_test
   hull_facets_height_test
   hull_four_lanes_test
+  hull_helper_test
   hull_lanes_test
   hull_range_test
   hull_region_test

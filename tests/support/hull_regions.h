@@ -20,11 +20,11 @@ using hull::Facets;
 using hull::Ridge;
 using hull::Site;
 
-/// The hull of all sites but the last, with infinity as the last corner of a facet.
+/// The hull of all sites but the last ones, with infinity as the last corner of a facet.
 struct Hull : Facets {
-  explicit Hull(std::span<const Point3> sites)
+  explicit Hull(std::span<const Point3> sites, std::size_t left_out = 1)
       : Facets(sites, std::ldexp(1.0, *unit_exponent(sites, 10'000))) {
-    const LiftedHull hull = lifted_hull(sites.first(sites.size() - 1));
+    const LiftedHull hull = lifted_hull(sites.first(sites.size() - left_out));
     hull::FacetRoom room = append(hull.tets.size());
     room.begin = static_cast<FacetIndex>(hull.tets.size());
     give_back({room});
