@@ -97,7 +97,11 @@ bool gather(std::span<const Point3> points, std::span<const std::uint32_t> order
             DistinctPoints& result) {
   result.points.resize(points.size());
   result.first_input.resize(points.size());
+  result.vertex_of_input.resize(points.size());  // set later, by threads all over it
   const auto gather_part = [&](std::size_t begin, std::size_t end) {
+    touch(result.points, begin, end);
+    touch(result.first_input, begin, end);
+    touch(result.vertex_of_input, begin, end);
     bool any_equal = false;
     const Point3* last = begin > 0 ? &points[order[begin - 1]] : nullptr;
     for (std::size_t k = begin; k < end; ++k) {
@@ -148,7 +152,6 @@ DistinctPoints distinct_points(std::span<const Point3> points, int threads) {
   const LargeArray<std::uint32_t> order = hilbert_order(points, threads);
   LargeArray<std::uint32_t> vertex;  // per place in the order; empty if that is it
   if (gather(points, order, threads, result)) vertex = merge_equal(result);
-  result.vertex_of_input.resize(points.size());
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       result.vertex_of_input[order[k]] =

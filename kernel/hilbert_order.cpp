@@ -180,6 +180,7 @@ LargeArray<std::uint32_t> hilbert_order(std::span<const Point3> points, int thre
   const Cells cells(box_of(points, threads));
   LargeArray<std::uint64_t> numbers(points.size());
   parallel_ranges(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    touch(numbers, begin, end);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint64_t place = hilbert_index(cells(points[i]));
       numbers[i] = place >> (3 * kBitsPerAxis - kHighBits) << kIndexBits | i;
@@ -194,6 +195,7 @@ LargeArray<std::uint32_t> hilbert_order(std::span<const Point3> points, int thre
     while (cut > 0 && cut < order.size() && agree(cut - 1, cut)) ++cut;
   }
   parallel_each(cuts.size() - 1, [&](std::size_t part) {
+    touch(order, cuts[part], cuts[part + 1]);
     for (std::size_t first = cuts[part]; first < cuts[part + 1];) {
       std::size_t last = first;
       do {

@@ -37,7 +37,8 @@ void free_large(void* memory) noexcept;
 /// Frees all but the first `bytes` bytes, where the system can do that.
 void shrink_large(void* memory, std::size_t bytes) noexcept;
 /// [begin, end) of large memory is about to be used for the first time: in small pages, if the
-/// large ones are slow to come. Several threads may do so, each with memory of its own.
+/// large ones are slow to come. Several threads may do so, each with memory of its own. May change
+/// what is there.
 void touch_large(void* memory, std::size_t begin, std::size_t end) noexcept;
 
 /// Sizes from which large pages pay; smaller arrays use std::allocator.
@@ -75,5 +76,12 @@ struct LargePageAllocator {
 
 template <class T>
 using LargeArray = std::vector<T, LargePageAllocator<T>>;
+
+/// Elements [begin, end) of a new array are about to be set, see touch_large(): none may be yet.
+template <class T>
+void touch(LargeArray<T>& array, std::size_t begin, std::size_t end) noexcept {
+  if (array.capacity() < kLargeArrayBytes / sizeof(T)) return;
+  touch_large(array.data(), begin * sizeof(T), end * sizeof(T));
+}
 
 }  // namespace tetsculpt

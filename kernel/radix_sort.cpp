@@ -104,6 +104,7 @@ template <class Item>
 std::vector<std::size_t> split_into(LargeArray<Item>& to, const LargeArray<Item>& from,
                                     const Digits& digit, const std::vector<std::size_t>& cuts) {
   const auto count = [&](std::size_t begin, std::size_t end) {
+    touch(to, begin, end);
     Histogram histogram{};
     for (std::size_t k = begin; k < end; ++k) ++histogram[digit(from[k], kDigits - 1)];
     return histogram;
@@ -111,17 +112,26 @@ std::vector<std::size_t> split_into(LargeArray<Item>& to, const LargeArray<Item>
   Histogram range_of{};  // per digit
   std::vector<std::size_t> begin{0};
   const std::vector<Histogram> counts = parallel_results(cuts, count);
+  std::vector<std::vector<std::size_t>> next(counts.size(),
+                                             std::vector<std::size_t>(counts.size()));
   std::size_t sum = 0;
   for (std::size_t b = 0; b < kBuckets; ++b) {
-    while (begin.size() < cuts.size() - 1 && sum >= cuts[begin.size()]) begin.push_back(sum);
+    while (begin.size() < counts.size() && sum >= cuts[begin.size()]) begin.push_back(sum);
     range_of[b] = begin.size() - 1;
-    for (const Histogram& c : counts) sum += c[b];
+    for (std::size_t part = 0; part < counts.size(); ++part) {
+      next[part][range_of[b]] += counts[part][b];
+      sum += counts[part][b];
+    }
   }
   begin.resize(cuts.size(), sum);
-  parallel_each(cuts.size() - 1, [&](std::size_t range) {
+  for (std::size_t range = 0; range < counts.size(); ++range) {
     std::size_t at = begin[range];
-    for (const Item& item : from) {
-      if (range_of[digit(item, kDigits - 1)] == range) to[at++] = item;
+    for (auto& of_part : next) at += std::exchange(of_part[range], at);
+  }
+  parallel_each(counts.size(), [&](std::size_t part) {
+    std::vector<std::size_t>& at = next[part];
+    for (std::size_t k = cuts[part]; k < cuts[part + 1]; ++k) {
+      to[at[range_of[digit(from[k], kDigits - 1)]]++] = from[k];
     }
   });
   return begin;
@@ -134,6 +144,7 @@ void sort(LargeArray<Item>& items, int threads) {
   LargeArray<Item> other(items.size());
   const std::vector<std::size_t> cuts = range_cuts(items.size(), threads);
   if (cuts.size() == 2) {
+    touch(other, 0, other.size());
     if (sort_with(std::span(other), std::span(items), digits)) items.swap(other);
     return;
   }
