@@ -82,18 +82,21 @@ bool Inserter::insert(Site q) {
   return true;
 }
 
-std::size_t Inserter::insert_all(SiteSet& sites, const std::function<bool(std::size_t)>& go_on) {
-  std::size_t tried = 0;
+Inserter::Tally Inserter::insert_all(SiteSet& sites,
+                                     const std::function<bool(std::size_t)>& go_on) {
+  Tally tally;
   const auto attempt = [&](Site s) {
-    if (!go_on(tried)) return false;
-    if (insert(s)) sites.erase(s);
-    ++tried;
+    if (!go_on(tally.tried)) return false;
+    ++tally.tried;
+    if (!insert(s)) return true;
+    sites.erase(s);
+    ++tally.inserted;
     return true;
   };
   for (Site block = 0; block < sites.block_count(); ++block) {
     if (own_.contains(block * kBlock) && !sites.each_in(block, attempt)) break;
   }
-  return tried;
+  return tally;
 }
 
 /// Whether it clearly sees one of the facets beyond the range that are remembered, and so can't go

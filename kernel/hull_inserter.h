@@ -52,9 +52,13 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// Inserts a point. False, and nothing has changed, if it needs facets outside of the range or
   /// more memory than the store has, or seems to.
   bool insert(Site q);
+  struct Tally {
+    std::size_t tried = 0;
+    std::size_t inserted = 0;
+  };
   /// Inserts those of the sites that are in its range and can go in, and erases them, in ascending
-  /// order and while go_on() is true of how many were tried. Returns how many were.
-  std::size_t insert_all(SiteSet& sites, const std::function<bool(std::size_t)>& go_on);
+  /// order and while go_on() is true of how many were tried.
+  Tally insert_all(SiteSet& sites, const std::function<bool(std::size_t)>& go_on);
 
  private:
   /// How many groups before a site's, along the curve, it looks back for one with a facet.

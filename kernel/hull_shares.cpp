@@ -58,18 +58,14 @@ struct Sample {
   std::size_t count;
 };
 
-/// Of blocks in which sites are left, about so many or all.
-std::vector<Sample> sampled(const std::vector<Position>& at, const SiteSet& sites,
-                            std::size_t most) {
-  std::size_t filled = 0;
-  for (std::size_t b = 0; b < at.size(); ++b) {
-    if (sites.count_in(b) > 0) ++filled;
-  }
+/// Of blocks in which some of so many sites are left: about as many as asked for, or all.
+std::vector<Sample> sampled(const std::vector<Position>& at, const SiteSet& sites, std::size_t left,
+                            std::size_t wanted) {
+  const std::size_t step = std::min(at.size(), left) / wanted + 1;
   std::vector<Sample> samples;
   std::size_t k = 0;
   for (std::size_t b = 0; b < at.size(); ++b) {
-    if (sites.count_in(b) == 0 || k++ % (filled / most + 1) != 0) continue;
-    samples.push_back({at[b], sites.count_in(b)});
+    if (sites.count_in(b) > 0 && k++ % step == 0) samples.push_back({at[b], sites.count_in(b)});
   }
   return samples;
 }
@@ -161,10 +157,11 @@ void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
   std::size_t untried = 0;
   for (std::size_t k = 0; worth_sharing(left); ++k) {
     if (k > 0 && untried <= left / 2 && failing_from(k)) break;
-    const std::size_t tried = pass(sites, k, [&](std::size_t now) { told(all - left + now); });
-    const std::size_t before = std::exchange(left, sites.count());
-    untried = before - tried;
-    const bool failing = before - left <= tried / 4;
+    const auto [tried, inserted] =
+        pass(sites, left, k, [&](std::size_t now) { told(all - left + now); });
+    untried = left - tried;
+    left -= inserted;
+    const bool failing = inserted <= tried / 4;
     if (k < kAxes) {
       failing_[k] = failing;
     } else if (failing) {
@@ -187,13 +184,13 @@ bool Shares::failing_from(std::size_t pass) const {
 
 bool Shares::worth_sharing(std::size_t count) const { return count / kWorthAThread >= own_.size(); }
 
-/// Returns how many sites were tried.
-std::size_t Shares::pass(SiteSet& sites, std::size_t turn, const Told& told) {
+/// Of so many sites that are left.
+Inserter::Tally Shares::pass(SiteSet& sites, std::size_t left, std::size_t turn, const Told& told) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::size_t threads = own_.size();
   std::vector<Part> parts(threads);
   constexpr std::size_t kSamples = 2048;
-  std::vector<Sample> samples = sampled(at_, sites, kSamples * threads);
+  std::vector<Sample> samples = sampled(at_, sites, left, kSamples * threads);
   // Three halvings take all axes, in whatever order: not in the middle each time.
   const Cutter cutter{axes_, turn % kAxes};
   cutter.cut({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, samples, parts, turn);
@@ -211,10 +208,10 @@ std::size_t Shares::pass(SiteSet& sites, std::size_t turn, const Told& told) {
   });
   facets_.share();
   Flag over;
-  std::vector<std::size_t> tried(threads);
+  std::vector<Inserter::Tally> tallies(threads);
   parallel_each(threads, [&](std::size_t t) {
     const SetAtEnd at_end{over.set};
-    tried[t] = helpers_[t].insert_all(sites, [&, mine = todo[t]](std::size_t k) {
+    tallies[t] = helpers_[t].insert_all(sites, [&, mine = todo[t]](std::size_t k) {
       if (over.set.load(std::memory_order_relaxed) && worth_sharing(mine - k)) return false;
       if (t == 0 && k % kTellEvery == 0) told(k);
       return true;
@@ -222,7 +219,12 @@ std::size_t Shares::pass(SiteSet& sites, std::size_t turn, const Told& told) {
   });
   facets_.unshare();
   for (const Inserter& helper : helpers_) inserter_.begin_at_last_of(helper);
-  return std::accumulate(tried.begin(), tried.end(), std::size_t{0});
+  Inserter::Tally sum;
+  for (const auto& tally : tallies) {
+    sum.tried += tally.tried;
+    sum.inserted += tally.inserted;
+  }
+  return sum;
 }
 
 }  // namespace tetsculpt::hull

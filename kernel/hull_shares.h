@@ -34,7 +34,7 @@ class Shares {
 
   bool worth_sharing(std::size_t count) const;
   bool failing_from(std::size_t pass) const;
-  std::size_t pass(SiteSet& sites, std::size_t turn, const Told& told);
+  Inserter::Tally pass(SiteSet& sites, std::size_t left, std::size_t turn, const Told& told);
 
   std::vector<std::array<double, kAxes>> at_;  ///< a point of each block
   Facets& facets_;

@@ -39,10 +39,10 @@ struct Waiting {
   /// How many sites a helper inserts in a range.
   std::size_t inserted_in(Inserter& helper, const SiteBlocks& blocks) {
     const std::size_t before = sites.count();
-    const SiteRange range = blocks.range();
-    helper.move_to(range, sites);
-    helper.insert_all(sites, [](std::size_t) { return true; });
-    return before - sites.count();
+    helper.move_to(blocks.range(), sites);
+    const auto tally = helper.insert_all(sites, [](std::size_t) { return true; });
+    CHECK(tally.inserted == before - sites.count());
+    return tally.inserted;
   }
 };
 
@@ -78,7 +78,9 @@ TEST_CASE("stops when it is told to") {
   Inserter helper = waiting.inserter.helper();
   helper.move_to(kAll.range(), waiting.sites);
   const auto few = [](std::size_t tried) { return tried < 10; };
-  CHECK(helper.insert_all(waiting.sites, few) == 10);
+  const auto tally = helper.insert_all(waiting.sites, few);
+  CHECK(tally.tried == 10);
+  CHECK(tally.inserted == 10);
   CHECK(waiting.sites.count() == kWaiting - 1 - 10);
 }
 
