@@ -5,17 +5,20 @@
 //     Blocks of sites are halved by planes, and again for more threads, in each pass across another
 // axis first, the longest side of the set to begin with. What was not inserted after one, two and
 // three passes when no thread stops early, of the last round of a million points on two threads:
-// cube 4.8, 0.3 and 0.01 %, bumpy sphere 13, 2.3 and 0.6 %, a scanned statue 2.5, 0.2 and 0.04 %.
+// cube 4.7, 0.25 and 0.01 %, bumpy sphere 13, 2.2 and 0.3 %, a scanned statue 2.5, 0.25 and 0.04 %.
 // On a torus 38 %: around the hole tetrahedra reach all around, within the tube they reach around
 // the tube, and any cut meets one or the other. So passes that brought little in a round before are
 // left out, unless they would spread what a slow thread left. To find that a point can't go in
 // takes little, see Inserter::sees_beyond.
-//     Before, ranges were octants of the curve, halves of a cube and of nothing else: on the bumpy
-// sphere 25 % waited, and what a thread left when it stopped lay in one corner. All four scans of
-// 270,000 points to a million now take 0.89 to 0.95 of the time, the cube 0.94, the bumpy sphere
-// 0.98 (two threads, medians of 15 to 40 pairs). Without gain: threads that take their ranges in
-// small pieces from all over (64 per octant 4 % slower than 8), known facets and their neighbours
-// asked for some sites ahead in later passes.
+//     2,000 to 2,700 points of a million could go in in no pass, until helpers began at any facet
+// they know in their range, and facets that are known outlived ranges they do not serve: 0.93 to
+// 0.97 of the time. Without gain: ranges that threads take in small pieces from all over the curve
+// (64 per octant 4 % slower than 8); known facets and their neighbours asked for some sites ahead
+// in later passes, or walked from first; blocks of 8; points that wait for the next round's (those
+// near two planes meet a coarse hull there, and wait again: 1.03 to 1.09); fields of a chessboard,
+// first those of one colour, then the others, each thread owning what is nearest to its own (0.4 %
+// of a cube's points wait and 4.5 % of a bumpy sphere's, but threads wait for each other twice as
+// often: 1.01 and 1.02); threads that go on unless 16,384 or 65,536 sites are left for others.
 //     What is left comes last, on one thread, and a point takes three times as long there: its
 // neighbourhood is in no cache. A thousand points per thread are worth another pass.
 #include "kernel/hull_shares.h"

@@ -156,7 +156,7 @@ class Construction {
 
   void insert_all() {
     for (const InsertionRound& round : insertion_rounds(points_.size())) {
-      // Half of 14,000 points take as long, with what two threads can't insert, as all on one.
+      // Of 14,000 points so many wait that two threads take as long as one.
       const std::size_t threads = worth_threads(round.size() / 2, options_.threads);
       if (threads == 1) {
         insert(round);
@@ -196,9 +196,9 @@ class Construction {
     std::size_t k = 0;
     round.each(0, points_.size(), [&](std::size_t v) {
       if (in_simplex(static_cast<Site>(v))) return;
-      if (k++ % kTellEvery == 0) report(k);
       [[maybe_unused]] const bool inserted = inserter_.insert(static_cast<Site>(v));
       assert(inserted);
+      if (k++ % kTellEvery == 0) report(k);
     });
   }
 
