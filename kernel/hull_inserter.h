@@ -45,8 +45,8 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// it keeps those that live, and bars those that are not its own. All helpers may do so at a
   /// time, while none inserts.
   void move_to(const SiteRange& range, const SiteSet& sites) noexcept;
-  /// Begins the next walk where a helper's last point was, if one was found since it moved. Must
-  /// come before helpers move: then what was there before may go.
+  /// Begins the next walk where a helper would, if it knows where. Must come before helpers move:
+  /// then what was there before may go.
   void begin_at_last_of(const Inserter& helper);
 
   /// Inserts a point. False, and nothing has changed, if it needs facets outside of the range or

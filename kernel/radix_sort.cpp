@@ -129,7 +129,7 @@ std::vector<std::size_t> split_into(LargeArray<Item>& to, const LargeArray<Item>
     for (auto& of_part : next) at += std::exchange(of_part[range], at);
   }
   parallel_each(counts.size(), [&](std::size_t part) {
-    std::vector<std::size_t>& at = next[part];
+    std::vector<std::size_t> at = next[part];  // in memory of this thread's own
     for (std::size_t k = cuts[part]; k < cuts[part + 1]; ++k) {
       to[at[range_of[digit(from[k], kDigits - 1)]]++] = from[k];
     }
