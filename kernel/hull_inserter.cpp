@@ -18,7 +18,9 @@ Inserter::Inserter(std::span<const Point3> points, Facets& facets, std::vector<F
       cone_(points, facets, by_four) {}
 
 void Inserter::mark_free() {
-  for (const Ridge r : free_) facets_.set_dead(facet_of(r));
+  for (; marked_free_ < free_.size(); ++marked_free_) {
+    facets_.set_dead(facet_of(free_[marked_free_]));
+  }
 }
 
 void Inserter::give_back() {
@@ -30,6 +32,7 @@ void Inserter::take_over(Inserter& other) {
   free_.insert(free_.end(), other.free_.begin(), other.free_.end());
   rooms_.insert(rooms_.end(), other.rooms_.begin(), other.rooms_.end());
   other.free_.clear();
+  other.marked_free_ = 0;
   other.rooms_.clear();
 }
 
@@ -96,6 +99,7 @@ Inserter::Tally Inserter::insert_all(SiteSet& sites,
   for (Site block = 0; block < sites.block_count(); ++block) {
     if (own_.contains(block * kBlock) && !sites.each_in(block, attempt)) break;
   }
+  mark_free();
   return tally;
 }
 
@@ -172,9 +176,7 @@ void Inserter::replace_visible(Site apex) {
 
 /// Of the free facets the first so many are left; visible ones follow them.
 void Inserter::free_visible(std::size_t left) {
-  if (!own_.all()) {
-    for (const Ridge r : region_.visible) facets_.set_dead(facet_of(r));
-  }
+  marked_free_ = std::min(marked_free_, left);
   const std::size_t size = region_.visible.size();
   free_.resize(left + size);
   // The next insertion uses up what dies now, and then those before, which may be in no cache.

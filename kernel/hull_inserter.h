@@ -70,7 +70,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   bool own(FacetIndex f) const;
   bool in_group(FacetIndex f, Site group) const;
   // See hull_locate.cpp.
-  FacetIndex locate(Site q) const;
+  FacetIndex locate(Site q);
   FacetIndex walk(Site q, FacetIndex f) const;
   FacetIndex walk_on_hull(Site q, FacetIndex f) const;
   FacetIndex locate_exactly(Site q, FacetIndex from) const;
@@ -89,6 +89,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// Lives, but not while helpers insert, and its corners are in the range; kNone if there is none.
   FacetIndex last_ = 0;
   std::vector<Ridge> free_;       ///< of facets that died or were never used; the last are next
+  std::size_t marked_free_ = 0;   ///< so many, the first, are marked as dead
   std::vector<FacetRoom> rooms_;  ///< where more come from
   /// Per group, a facet that was put up at one of its sites; it may be gone or another one since.
   /// Barred or not. Empty if there are no helpers.

@@ -43,53 +43,12 @@ constexpr auto kBytes = [] {
   return table;
 }();
 
-}  // namespace
-
-bool has_four_lanes() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
-         __builtin_cpu_supports("popcnt") != 0;
-#else
-  return false;
-#endif
-}
-
-bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
-            Region& region) {
-  std::size_t visible_size = region.visible.size();
-  std::size_t unclear_size = region.unclear.size();
-  std::size_t cut_size = region.cut.size();
-  for (std::size_t k = begin; k < visible_size; ++k) {
-    region.visible.hold(visible_size);
-    const FacetIndex f = facet_of(region.visible[k]);
-    if (!own.contains(facets.corners(f))) return false;
-    Ridge* const visible = region.visible.room_for(visible_size + 4);
-    Ridge* const unclear = region.unclear.room_for(unclear_size + 4);
-    Ridge* const cut = region.cut.room_for(cut_size + 4);
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const Ridge r = facets.neighbors(f)[i];
-      const Facets::Height h = facets.height(facet_of(r), point);
-      Mark& mark = facets.mark(facet_of(r));
-      if (h.value < -h.error) {
-        cut[cut_size++] = ridge(f, i);
-      } else if (mark == Mark::kUnmet) {
-        const bool sees = h.value > h.error;
-        mark = sees ? Mark::kVisible : Mark::kUnclear;
-        (sees ? visible[visible_size++] : unclear[unclear_size++]) = r;
-      }
-    }
-    region.unclear.hold(unclear_size);
-  }
-  region.cut.hold(cut_size);
-  return true;
-}
-
-TETSCULPT_FOUR_LANES bool expand_by_four(Facets& facets, const LiftedDifference& point,
-                                         const SiteRange& range, std::size_t begin,
-                                         Region& region) {
+/// With all sites in the range, or not.
+template <bool kAll>
+TETSCULPT_FOUR_LANES bool expand_four(Facets& facets, const LiftedDifference& point,
+                                      const SiteRange& range, std::size_t begin, Region& region) {
   const SiteRange own = range;  // nothing that is written could be part of it
   const FourRows queries = four_times(point);
-  const bool all_own = own.all();
   const auto number = [](Mark mark) { return static_cast<unsigned>(mark); };
   Mark* const marks = &facets.mark(0);
   const Facet* const facet = &facets[0];
@@ -102,9 +61,8 @@ TETSCULPT_FOUR_LANES bool expand_by_four(Facets& facets, const LiftedDifference&
     Ridge* const unclear = region.unclear.room_for(unclear_size + 4 * (most - k) + 4);
     Ridge* const cut = region.cut.room_for(cut_size + 4 * (most - k) + 4);
     for (; k < visible_size && visible_size <= most; ++k) {
-      const FacetIndex f = facet_of(visible[k]);
-      const FacetLinks& links = facet[f].links;
-      if (!all_own && !own.contains(links.corners)) {
+      const FacetLinks& links = facet[facet_of(visible[k])].links;
+      if (!kAll && !own.contains(links.corners[corner_of(visible[k])])) {
         region.visible.hold(visible_size);
         region.unclear.hold(unclear_size);
         return false;
@@ -143,6 +101,54 @@ TETSCULPT_FOUR_LANES bool expand_by_four(Facets& facets, const LiftedDifference&
   return true;
 }
 
+}  // namespace
+
+bool has_four_lanes() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("popcnt") != 0;
+#else
+  return false;
+#endif
+}
+
+bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
+            Region& region) {
+  std::size_t visible_size = region.visible.size();
+  std::size_t unclear_size = region.unclear.size();
+  std::size_t cut_size = region.cut.size();
+  for (std::size_t k = begin; k < visible_size; ++k) {
+    region.visible.hold(visible_size);
+    const Ridge met = region.visible[k];
+    const FacetIndex f = facet_of(met);
+    if (!own.contains(facets.corners(f)[corner_of(met)])) return false;
+    Ridge* const visible = region.visible.room_for(visible_size + 4);
+    Ridge* const unclear = region.unclear.room_for(unclear_size + 4);
+    Ridge* const cut = region.cut.room_for(cut_size + 4);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const Ridge r = facets.neighbors(f)[i];
+      const Facets::Height h = facets.height(facet_of(r), point);
+      Mark& mark = facets.mark(facet_of(r));
+      if (h.value < -h.error) {
+        cut[cut_size++] = ridge(f, i);
+      } else if (mark == Mark::kUnmet) {
+        const bool sees = h.value > h.error;
+        mark = sees ? Mark::kVisible : Mark::kUnclear;
+        (sees ? visible[visible_size++] : unclear[unclear_size++]) = r;
+      }
+    }
+    region.unclear.hold(unclear_size);
+  }
+  region.cut.hold(cut_size);
+  return true;
+}
+
+bool expand_by_four(Facets& facets, const LiftedDifference& point, const SiteRange& own,
+                    std::size_t begin, Region& region) {
+  const auto expand = own.all() ? expand_four<true> : expand_four<false>;
+  return expand(facets, point, own, begin, region);
+}
+
 TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
                                            const LiftedDifference& q, const SiteRange& own) {
   const FourRows queries = four_times(q);
@@ -164,10 +170,11 @@ TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
     unsigned best = visible & highest;
     if (best == 0) best = visible != 0 ? visible : nearer & highest;
     if (best == 0) return {f, false};
-    const FacetIndex g = facet_of(ridges[static_cast<std::size_t>(std::countr_zero(best))]);
+    const Ridge r = ridges[static_cast<std::size_t>(std::countr_zero(best))];
+    const FacetIndex g = facet_of(r);
     if (visible != 0) return {g, true};
     if (facet[g].links.infinite()) return {f, false};
-    if (!all_own && !own.contains(facet[g].links.corners)) return {f, false};
+    if (!all_own && !own.contains(facet[g].links.corners[corner_of(r)])) return {f, false};
     f = g;
     height = of_four;
   }

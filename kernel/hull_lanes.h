@@ -17,7 +17,8 @@ namespace tetsculpt::hull {
 /// Looks around the visible facets of a region from `begin` on, and those that they add: the
 /// neighbours that a point, lifted from the middle, sees clearly become visible, unclear ones are
 /// listed, both once; ridges to those that are clearly hidden are cut. Marks what is visible or
-/// unclear. False, and an unfinished region, at a facet that is not within the range.
+/// unclear. False, and an unfinished region, at a facet that is not within the range; of its
+/// corners only the one behind the ridge through which it was met may be elsewhere.
 bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
             Region& region);
 /// A facet is tested once from each visible neighbour, which takes less than to keep track.
@@ -29,9 +30,10 @@ struct Nearer {
   FacetIndex facet;
   bool seen;
 };
-/// From f, which is finite, to neighbours above which q is higher, each time to the highest of
-/// four, where has_four_lanes(): to a facet that q sees, be it the first beyond the range, or to a
-/// finite one where the next would not be higher, or infinite, or not within the range.
+/// From f, which is finite and in the range, to neighbours above which q is higher, each time to
+/// the highest of four, where has_four_lanes(): to a facet that q sees, be it the first beyond the
+/// range, or to a finite one where the next would not be higher, or infinite, or not within the
+/// range.
 Nearer nearer_by_four(const Facets& facets, FacetIndex f, const LiftedDifference& q,
                       const SiteRange& own);
 

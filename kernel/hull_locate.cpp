@@ -12,10 +12,11 @@ namespace tetsculpt::hull {
 
 /// A facet that q sees, in the range or next to one in it; kNone if none was found: on the way from
 /// where the last point was, or else from sites before q on the curve.
-FacetIndex Inserter::locate(Site q) const {
-  int tries = 3;
+FacetIndex Inserter::locate(Site q) {
   FacetIndex found = last_ == kNone ? kNone : walk(q, last_);
-  if (own_.all()) return found;
+  if (found != kNone || own_.all()) return found;
+  mark_free();  // what is known may be gone
+  int tries = 3;
   const Site group = q / kGroup;
   const Site end = group - std::min(group, kBack);
   for (Site g = group + 1; found == kNone && tries > 0 && g-- > end;) {

@@ -56,6 +56,7 @@ bool grow_region(Facets& facets, Site apex, FacetIndex seen, const SiteRange& ow
   region.unclear.hold(0);
   region.cut.hold(0);
   facets.mark(seen) = Mark::kVisible;
+  if (!own.contains(facets.corners(seen))) return false;
   const auto expand = by_four ? expand_by_four : hull::expand;
   std::size_t hidden = 0;
   for (std::size_t begin = 0;;) {

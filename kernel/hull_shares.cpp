@@ -136,14 +136,16 @@ struct Cutter {
 
 }  // namespace
 
-Shares::Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter)
-    : facets_(facets), inserter_(inserter) {
+Shares::Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter, int threads)
+    : at_((points.size() + kBlock - 1) / kBlock), facets_(facets), inserter_(inserter) {
+  parallel_ranges(at_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      const Point3& p = points[std::min(b * kBlock + kBlock / 2, points.size() - 1)];
+      at_[b] = {p.x, p.y, p.z};
+    }
+  });
   Box box;
-  for (std::size_t k = 0; k < points.size(); k += kBlock) {
-    const Point3& p = points[std::min(k + kBlock / 2, points.size() - 1)];
-    at_.push_back({p.x, p.y, p.z});
-    box.include(p);
-  }
+  for (const auto& [x, y, z] : at_) box.include({x, y, z});
   const std::array<double, kAxes> sides{box.high.x - box.low.x, box.high.y - box.low.y,
                                         box.high.z - box.low.z};
   std::ranges::stable_sort(axes_, std::ranges::greater{}, [&](std::size_t a) { return sides[a]; });
@@ -203,7 +205,7 @@ Inserter::Tally Shares::pass(SiteSet& sites, std::size_t left, std::size_t turn,
     std::size_t sum = 0;
     for (std::size_t b = 0; b < at_.size(); ++b) {
       const std::uint8_t own = part.contains(at_[b]) ? 1 : 0;
-      own_[t][b] = own;
+      own_[t][b + 1] = own;
       sum += own * sites.count_in(b);
     }
     todo[t] = sum;

@@ -23,7 +23,8 @@ class Shares {
   /// is what the caller gets, as soon as threads are done with what is not worth sharing.
   using Told = std::function<void(std::size_t)>;
 
-  Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter);
+  /// `threads`: for its own preparations.
+  Shares(std::span<const Point3> points, Facets& facets, Inserter& inserter, int threads);
   /// Inserts sites on two threads or more, from where the inserter is and in passes whose ranges
   /// have other borders each time, as long as that brings something, and the rest with the
   /// inserter. None is left.

@@ -22,24 +22,25 @@ class SiteRange {
  public:
   /// All of them.
   SiteRange() = default;
-  /// Those of the blocks for which there is a one; for others there is a zero. Behind the last
+  /// Those of the blocks for which there is a one; for others there is a zero. Ahead of the first
   /// block comes a one, for the site at infinity.
-  explicit SiteRange(std::span<const std::uint8_t> blocks)
-      : blocks_(blocks.data()), infinity_(static_cast<Site>(blocks.size() - 1)) {}
+  explicit SiteRange(std::span<const std::uint8_t> blocks) : blocks_(blocks.data() + 1) {}
 
   bool all() const { return blocks_ == nullptr; }
   bool contains(Site s) const { return all() || at(s) != 0; }
   /// All four corners of a facet that lives, without a branch on which.
   bool contains(const std::array<Site, 4>& sites) const {
     const auto [a, b, c, d] = sites;
-    return all() || (blocks_[a / kBlock] & blocks_[b / kBlock] & blocks_[c / kBlock] & at(d)) != 0;
+    return all() || (at(a) & at(b) & at(c) & at(d)) != 0;
   }
 
  private:
-  std::uint8_t at(Site s) const { return blocks_[std::min(s / kBlock, infinity_)]; }
+  /// Infinity is -1. Of other sites there are fewer than 2^31, see kernel/distinct_points.
+  std::uint8_t at(Site s) const {
+    return blocks_[static_cast<std::int32_t>(s) >> std::countr_zero(kBlock)];
+  }
 
   const std::uint8_t* blocks_ = nullptr;
-  Site infinity_ = 0;  ///< its block
 };
 
 /// A bit per site. Threads may change and read blocks of their own at a time.

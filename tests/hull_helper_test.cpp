@@ -1,7 +1,9 @@
-// A helper of an inserter, in one range after another: it begins where a facet is known.
+// A helper of an inserter, in one range after another: it begins where a facet is known, and marks
+// what died before others ask.
 #include <doctest/doctest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -82,6 +84,33 @@ TEST_CASE("stops when it is told to") {
   CHECK(tally.tried == 10);
   CHECK(tally.inserted == 10);
   CHECK(waiting.sites.count() == kWaiting - 1 - 10);
+}
+
+/// Whether its neighbours' ridges lead back to it, as is so while it is part of the hull.
+bool is_linked(const Facets& facets, FacetIndex f) {
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const Ridge r = facets.neighbors(f)[i];
+    if (facets.neighbors(facet_of(r))[corner_of(r)] != ridge(f, i)) return false;
+  }
+  return true;
+}
+
+TEST_CASE("whenever a helper stops, what is known and seems to live does") {
+  Waiting waiting;
+  waiting.insert(kSites - 1);
+  Inserter helper = waiting.inserter.helper();
+  helper.move_to(kAll.range(), waiting.sites);
+  std::size_t living = 0, wrong = 0;
+  while (helper.insert_all(waiting.sites, [](std::size_t tried) { return tried < 1; }).tried > 0) {
+    for (const FacetIndex f : waiting.known) {
+      if (f == kNone || !waiting.facets.lives(f)) continue;
+      ++living;
+      wrong += !is_linked(waiting.facets, f);
+    }
+  }
+  CHECK(waiting.sites.count() == 0);
+  CHECK(living > kWaiting);
+  CHECK(wrong == 0);
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ class SiteBlocks {
  public:
   /// None of them.
   explicit SiteBlocks(std::size_t site_count) : own_((site_count - 1) / hull::kBlock + 2) {
-    own_.back() = 1;
+    own_.front() = 1;
   }
   std::size_t count() const { return own_.size() - 1; }
-  void take(std::size_t block) { own_[block] = 1; }
+  void take(std::size_t block) { own_[block + 1] = 1; }
   /// Valid until this one goes.
   hull::SiteRange range() const { return hull::SiteRange(own_); }
 
