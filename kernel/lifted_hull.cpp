@@ -150,7 +150,7 @@ class Construction {
         simplex_(simplex),
         options_(options),
         facets_(points, unit_of(points, options.threads), options.threads),
-        known_(options.threads > 1 ? points.size() / hull::kGroup + 1 : 0, hull::kNone),
+        known_(options.threads > 1 ? (points.size() - 1) / hull::kGroup + 1 : 0, hull::kNone),
         by_four_(options.four_lanes && hull::has_four_lanes()),
         inserter_(points, facets_, {make_simplex(facets_, simplex)}, by_four_, known_) {
     if (options.threads > 1) shares_.emplace(points, facets_, inserter_, options.threads);

@@ -26,7 +26,7 @@ constexpr std::size_t kWaiting = 400;
 struct Waiting {
   LargeArray<Point3> points = distinct_points(point_sets::uniform_cube(kSites, 1)).points;
   hull_regions::Hull facets{points, kWaiting};
-  std::vector<FacetIndex> known = std::vector<FacetIndex>(kSites / kGroup + 1, kNone);
+  std::vector<FacetIndex> known = std::vector<FacetIndex>((kSites - 1) / kGroup + 1, kNone);
   Inserter inserter{points, facets, {}, has_four_lanes(), known};
   SiteSet sites{kSites};
 
