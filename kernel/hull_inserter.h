@@ -31,8 +31,8 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   Inserter(std::span<const Point3> points, Facets& facets, std::vector<FacetRoom> rooms,
            bool by_four, std::span<FacetIndex> known);
   /// Marks the facets at hand for the next insertions as dead, which must be done before anybody
-  /// asks what lives. To do so with each as it is appended would sweep the nearest cache: 6 % of
-  /// the hull.
+  /// else asks what lives; insert_all() does so at its end. To do so with each as it is appended
+  /// would sweep the nearest cache: 6 % of the hull.
   void mark_free();
   /// Marks them and gives back what was never used: nothing is inserted any more.
   void give_back();

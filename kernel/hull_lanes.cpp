@@ -145,8 +145,8 @@ bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own,
 
 bool expand_by_four(Facets& facets, const LiftedDifference& point, const SiteRange& own,
                     std::size_t begin, Region& region) {
-  const auto expand = own.all() ? expand_four<true> : expand_four<false>;
-  return expand(facets, point, own, begin, region);
+  const auto work = own.all() ? expand_four<true> : expand_four<false>;
+  return work(facets, point, own, begin, region);
 }
 
 TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,

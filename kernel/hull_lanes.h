@@ -17,8 +17,8 @@ namespace tetsculpt::hull {
 /// Looks around the visible facets of a region from `begin` on, and those that they add: the
 /// neighbours that a point, lifted from the middle, sees clearly become visible, unclear ones are
 /// listed, both once; ridges to those that are clearly hidden are cut. Marks what is visible or
-/// unclear. False, and an unfinished region, at a facet that is not within the range; of its
-/// corners only the one behind the ridge through which it was met may be elsewhere.
+/// unclear. False, and an unfinished region, at a facet that is not within the range: the first one
+/// must be, of others the corner behind the ridge through which they were met decides.
 bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
             Region& region);
 /// A facet is tested once from each visible neighbour, which takes less than to keep track.

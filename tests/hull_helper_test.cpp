@@ -101,7 +101,8 @@ TEST_CASE("whenever a helper stops, what is known and seems to live does") {
   Inserter helper = waiting.inserter.helper();
   helper.move_to(kAll.range(), waiting.sites);
   std::size_t living = 0, wrong = 0;
-  while (helper.insert_all(waiting.sites, [](std::size_t tried) { return tried < 1; }).tried > 0) {
+  const auto one = [](std::size_t tried) { return tried < 1; };
+  while (helper.insert_all(waiting.sites, one).inserted > 0) {
     for (const FacetIndex f : waiting.known) {
       if (f == kNone || !waiting.facets.lives(f)) continue;
       ++living;

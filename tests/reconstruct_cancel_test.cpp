@@ -33,8 +33,11 @@ void check_cancelling(std::size_t n, const ReconstructOptions& options) {
   const std::size_t step = testing::kSanitized ? 3 : 1;
   for (std::size_t last = 0; last < calls; last += step) {
     try {
-      calls_until(points, last, options);
-      FAIL_CHECK("not cancelled at call ", last);
+      const std::size_t all = calls_until(points, last, options);
+      // In how many passes threads share the points depends on how fast they are.
+      INFO("not cancelled at call ", last);
+      CHECK(options.threads > 1);
+      CHECK(all <= last);
     } catch (const Cancelled& cancelled) {
       CHECK(cancelled.call == last + 1);
     }
