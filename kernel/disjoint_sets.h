@@ -17,6 +17,15 @@ class DisjointSets {
   explicit DisjointSets(std::size_t n) : parent_(n) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
+  /// Room for n members, each of which is in no set before make_set(). Threads whose members have
+  /// no set in common may make sets and unite them at a time.
+  static DisjointSets room_for(std::size_t n) {
+    DisjointSets sets(0);
+    sets.parent_.resize(n);
+    return sets;
+  }
+
+  void make_set(std::uint32_t x) { parent_[x] = x; }
 
   std::uint32_t find(std::size_t x) {
     auto i = static_cast<std::uint32_t>(x);
@@ -32,6 +41,9 @@ class DisjointSets {
     parent_[std::max(ra, rb)] = std::min(ra, rb);
     return true;
   }
+
+  /// Per member a smaller one of its set; itself if it is the smallest.
+  LargeArray<std::uint32_t> take_parents() && { return std::move(parent_); }
 
  private:
   LargeArray<std::uint32_t> parent_;

@@ -1,35 +1,39 @@
 // One pass over the tetrahedra takes the ids of triangles and edges over from neighbours that came
-// before, and makes new ones for what none of them has. Where the tetrahedra around an edge come in
-// no simple order it gets several, which are found to be one where they meet. No hashing, no
+// before, and makes new ones for what none of them has, see kernel/simplices_sweep. Where the
+// tetrahedra around an edge come in no simple order it gets several, which are found to be one
+// where they meet: the first is kept, and what is kept is numbered without gaps. No hashing, no
 // sorting, and no load that waits for another: turning around each edge once instead, as was done
 // before, takes a quarter to a half longer for the whole complex.
 //
 // Each thread does so with a stretch of the tetrahedra. Across the cuts edges are found to be one
 // in the same way; the first id is kept, so that all come out numbered as one thread numbers them.
+// Only what joins the cuts is one thread's work: a few thousandths of the time.
 #include "kernel/simplices.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "kernel/disjoint_sets.h"
+#include "kernel/four_lanes.h"
 #include "kernel/parallel.h"
+#include "kernel/simplices_sweep.h"
 #include "kernel/tet_corners.h"
 
 namespace tetsculpt {
 namespace {
 
-constexpr EdgeId kNoEdge{0xffffffffu};
-constexpr TriangleId kNoTriangle{0xffffffffu};
-
-/// Corners ascend but for the last two, which may descend: then the tetrahedron is odd.
-bool is_odd(const std::array<VertexId, 4>& tet) { return tet[2] > tet[3]; }
-
-/// The rank in ascending order of a corner, or the corner of a rank.
-std::size_t rank(std::size_t corner, std::uint8_t odd) { return corner ^ (odd & corner >> 1); }
+using simplices::edges_of_facet;
+using simplices::kFacetEdges;
+using simplices::kNoEdge;
+using simplices::kNoTriangle;
+using simplices::rank;
+using simplices::RankedEdges;
+using simplices::Stretch;
 
 /// Which edge by the ranks of its ends an edge by corners is, and back.
 std::size_t edge_rank(std::size_t edge, std::uint8_t odd) {
@@ -37,76 +41,68 @@ std::size_t edge_rank(std::size_t edge, std::uint8_t odd) {
   return odd ? kOdd[edge] : edge;
 }
 
-/// The edges of a tetrahedron, by the ranks of their ends.
-using RankedEdges = std::array<EdgeId, 6>;
+/// What is new in the tetrahedra of a stretch.
+struct Counts {
+  std::uint64_t triangles = 0;
+  std::uint64_t edges = 0;  ///< ids, of which one edge may have several
+};
 
-/// The edges of the facet opposite each rank. Two neighbours have these in the same order.
-constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetEdges{
-    {{3, 4, 5}, {1, 2, 5}, {0, 2, 4}, {0, 1, 3}}};
-
-/// Those of a facet, given of each tetrahedron whether it is odd.
-const std::array<std::uint8_t, 3>& edges_of_facet(FacetHandle f, const std::uint8_t* odd) {
-  return kFacetEdges[rank(f & 3, odd[f >> 2])];
-}
-
-/// The edges that have no id yet, a bit each.
-unsigned without_id(const RankedEdges& edges) {
-  unsigned without = 0;
-  for (std::size_t k = 0; k < 6; ++k) without |= unsigned{edges[k] == kNoEdge} << k;
-  return without;
-}
-
-/// Takes over the ids that a neighbour has for the edges of their common facet. An edge that has
-/// another one already is the same.
-inline void take_over(RankedEdges& edges, const std::array<std::uint8_t, 3>& mine,
-                      const RankedEdges& known, const std::array<std::uint8_t, 3>& theirs,
-                      LargeArray<std::array<EdgeId, 2>>& same) {
-  const std::array other{known[theirs[0]], known[theirs[1]], known[theirs[2]]};
-  const std::array here{edges[mine[0]], edges[mine[1]], edges[mine[2]]};
-  unsigned differ = 0;
-  for (std::size_t m = 0; m < 3; ++m) {
-    differ |= unsigned{here[m] != other[m]} & unsigned{here[m] != kNoEdge};
-    edges[mine[m]] = std::min(here[m], other[m]);
+/// A triangle is new in the first of its tetrahedra in the stretch, unless its other one is in a
+/// stretch before; an edge if both its triangles there are new or another stretch's.
+Counts count_new(const std::array<FacetHandle, 4>* neighbors, std::uint32_t begin,
+                 std::uint32_t end) {
+  using Lanes = std::int32_t __attribute__((vector_size(16)));
+  Lanes triangles{};
+  Lanes beside{};    // pairs of facets that neither were taken over, next to each other in a ring
+  Lanes opposite{};  // and those that are not next to each other, twice
+  const auto first = static_cast<std::int32_t>(begin);
+  for (auto t = first; t < static_cast<std::int32_t>(end); ++t) {
+    const auto other = reinterpret_cast<Lanes>(hull::four_of(neighbors[t].data()) >> 2);
+    const Lanes not_before = other >= t;
+    const Lanes others = not_before | (other < first);
+    triangles -= not_before;
+    beside -= others & __builtin_shufflevector(others, others, 1, 2, 3, 0);
+    opposite -= others & __builtin_shufflevector(others, others, 2, 3, 0, 1);
   }
-  if (differ != 0) {
-    for (std::size_t m = 0; m < 3; ++m) {
-      if (here[m] != other[m] && here[m] != kNoEdge) same.push_back({here[m], other[m]});
-    }
-  }
+  const auto sum = [](const Lanes& lanes) {
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < 4; ++i) all += static_cast<std::uint32_t>(lanes[i]);
+    return all;
+  };
+  return {sum(triangles), sum(beside) + sum(opposite) / 2};
 }
 
 class Finder {
  public:
-  Finder(const LiftedHull& hull, int threads)
+  Finder(const LiftedHull& hull, const SimplicesOptions& options)
       : hull_(hull),
-        threads_(threads),
+        options_(options),
         count_(hull.tets.size()),
         finite_count_(hull.finite_count),
         odd_(count_),
-        parts_(worth_threads(finite_count_, threads)) {
+        parts_(worth_threads(finite_count_, options.threads)) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      parts_[p].begin = static_cast<std::uint32_t>(finite_count_ * p / parts_.size());
-      parts_[p].end = static_cast<std::uint32_t>(finite_count_ * (p + 1) / parts_.size());
-      // Mostly enough, and what is not used is mostly only addresses. The first takes in all
-      // others.
-      const std::size_t most = p == 0 ? finite_count_ : parts_[p].end - parts_[p].begin;
-      parts_[p].edges.reserve(most + most / 2);
-      parts_[p].same.reserve(most);
+      Stretch& stretch = parts_[p].stretch;
+      stretch.begin = static_cast<std::uint32_t>(finite_count_ * p / parts_.size());
+      stretch.end = static_cast<std::uint32_t>(finite_count_ * (p + 1) / parts_.size());
     }
   }
 
-  Simplices run(const std::function<void(double)>& progress) {
-    parallel_ranges(count_, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t) odd_[t] = is_odd(hull_.tets[t]);
+  Simplices run() {
+    parallel_ranges(count_, options_.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) odd_[t] = simplices::is_odd(hull_.tets[t]);
     });
+    const std::size_t id_count = share_out_ids();
     result_.triangles_of_tet.resize(count_);
     result_.edges_of_tet.resize(count_);
-    result_.facet_of_triangle.resize(count_triangles());
-    parallel_each(parts_.size(), [&](std::size_t p) {
-      find_in(parts_[p], p == 0 ? progress : std::function<void(double)>());
-    });
-    number_edges(joined());
-    parallel_ranges(count_ - finite_count_, threads_, [&](std::size_t begin, std::size_t end) {
+    result_.facet_of_triangle.resize(parts_.back().stretch.triangles_end);
+    made_in_.resize(id_count);
+    DisjointSets same = DisjointSets::room_for(id_count);
+    parallel_each(parts_.size(), [&](std::size_t p) { find_in(parts_[p], same, p == 0); });
+    for (const Part& part : parts_) join(part.stretch.joints, same);
+    number_edges(std::move(same).take_parents());
+    const std::size_t infinite_count = count_ - finite_count_;
+    parallel_ranges(infinite_count, options_.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) take_over_at_infinity(finite_count_ + t);
     });
     return std::move(result_);
@@ -115,132 +111,151 @@ class Finder {
  private:
   /// A stretch of tetrahedra. Two threads don't write to one cache line.
   struct alignas(64) Part {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-    std::uint32_t first_triangle = 0;
-    std::uint32_t first_edge = 0;  ///< of all parts; edges are counted from 0 in each
-    LargeArray<Simplices::Edge> edges;
-    LargeArray<std::array<EdgeId, 2>> same;
-    std::vector<FacetHandle> joints;  ///< facets whose other side comes before the part
+    Stretch stretch;
+    std::uint32_t ids_begin = 0;  ///< of edges
+    std::uint32_t ids_end = 0;
+    std::uint32_t first_edge = 0;  ///< as they are numbered in the end
+    std::uint32_t edge_count = 0;
+    /// Of edges that are a part's before: one of its ids each, then their numbers.
+    std::vector<std::uint32_t> of_others;
   };
 
-  /// How many there are. One is new in the first of its tetrahedra.
-  std::uint32_t count_triangles() {
-    std::vector<std::uint32_t> counts(parts_.size());
+  /// Returns behind which id of an edge there is none.
+  std::size_t share_out_ids() {
+    std::vector<Counts> counts(parts_.size());
     parallel_each(parts_.size(), [&](std::size_t p) {
-      std::uint32_t count = 0;
-      for (std::uint32_t t = parts_[p].begin; t < parts_[p].end; ++t) {
-        for (const FacetHandle h : hull_.neighbors[t]) count += h >> 2 >= t;
-      }
-      counts[p] = count;
+      const Stretch& stretch = parts_[p].stretch;
+      counts[p] = count_new(hull_.neighbors.data(), stretch.begin, stretch.end);
     });
-    std::uint32_t sum = 0;
+    Counts sum;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      parts_[p].first_triangle = sum;
-      sum += counts[p];
+      Part& part = parts_[p];
+      part.stretch.next_triangle = static_cast<std::uint32_t>(sum.triangles);
+      part.stretch.next_edge = part.ids_begin = static_cast<std::uint32_t>(sum.edges);
+      sum.triangles += counts[p].triangles;
+      sum.edges += counts[p].edges;
+      part.stretch.triangles_end = static_cast<std::uint32_t>(sum.triangles);
+      part.ids_end = static_cast<std::uint32_t>(sum.edges);
+      sum.edges += simplices::kBetweenStretches;
     }
-    return sum;
+    if (sum.edges >= kOfOther || finite_count_ > std::numeric_limits<std::uint32_t>::max() / 6) {
+      throw std::length_error("more than 2^31 edges or 7 * 10^8 tetrahedra");
+    }
+    return sum.edges;
   }
 
-  void find_in(Part& part, const std::function<void(double)>& progress) {
-    constexpr std::uint32_t kTellEvery = 1u << 19;
+  void find_in(Part& part, DisjointSets& same, bool tell) {
+    constexpr std::uint32_t kAtOnce = 1u << 19;
     constexpr double kOfWork = 0.85;  // numbering the edges is the rest
-    const std::uint32_t begin = part.begin;
-    const std::uint32_t end = part.end;
-    // Pointers of its own: a member's would be loaded again after each element written.
-    const std::uint8_t* const odd = odd_.data();
-    const auto* const neighbors = hull_.neighbors.data();
-    auto* const triangles = result_.triangles_of_tet.data();
-    auto* const edges_of = result_.edges_of_tet.data();
-    FacetHandle* const facet_of = result_.facet_of_triangle.data();
-    std::uint32_t triangle = part.first_triangle;
-    for (std::uint32_t t = begin; t < end; ++t) {
-      if (progress && t % kTellEvery == 0) progress(kOfWork * t / end);
-      RankedEdges edges;
-      edges.fill(kNoEdge);
-      for (std::uint32_t i = 0; i < 4; ++i) {
-        const FacetHandle h = neighbors[t][i];
-        const std::uint32_t u = h >> 2;
-        if (u >= t) {
-          triangles[t][i] = TriangleId{triangle};
-          facet_of[triangle++] = 4 * t + i;
-        } else if (u >= begin) {
-          triangles[t][i] = triangles[u][h & 3];
-          take_over(edges, kFacetEdges[rank(i, odd[t])], edges_of[u], edges_of_facet(h, odd),
-                    part.same);
-        } else {
-          triangles[t][i] = kNoTriangle;
-          part.joints.push_back(4 * t + i);
-        }
+    const simplices::Sweep all{hull_.neighbors.data(),
+                               odd_.data(),
+                               result_.triangles_of_tet.data(),
+                               result_.edges_of_tet.data(),
+                               result_.facet_of_triangle.data(),
+                               made_in_.data(),
+                               same};
+    const bool by_eight = options_.by_eight && hull::has_four_lanes();
+    for (std::uint32_t id = part.ids_begin; id < part.ids_end; ++id) same.make_set(id);
+    Stretch stretch = std::move(part.stretch);  // on this thread's own stack
+    for (std::uint32_t t = stretch.begin; t < stretch.end;) {
+      if (tell && options_.progress) options_.progress(kOfWork * t / stretch.end);
+      const std::uint32_t to = std::min(t + kAtOnce, stretch.end);
+      (by_eight ? simplices::sweep_by_eight : simplices::sweep)(all, stretch, t, to);
+      t = to;
+    }
+    part.stretch = std::move(stretch);
+  }
+
+  /// What is on both sides of a cut, given as facets behind it.
+  void join(const std::vector<FacetHandle>& facets, DisjointSets& same) {
+    constexpr std::size_t kAhead = 16;
+    for (std::size_t k = 0; k < facets.size(); ++k) {
+      const FacetHandle next = facets[std::min(k + kAhead, facets.size() - 1)];
+      __builtin_prefetch(&result_.edges_of_tet[hull_.neighbors[next >> 2][next & 3] >> 2]);
+      const FacetHandle f = facets[k];
+      const FacetHandle g = hull_.neighbors[f >> 2][f & 3];
+      result_.triangles_of_tet[f >> 2][f & 3] = result_.triangles_of_tet[g >> 2][g & 3];
+      const auto& mine = edges_of_facet(f, odd_.data());
+      const auto& theirs = edges_of_facet(g, odd_.data());
+      for (std::size_t m = 0; m < 3; ++m) {
+        same.unite(+result_.edges_of_tet[f >> 2][mine[m]],
+                   +result_.edges_of_tet[g >> 2][theirs[m]]);
       }
-      for (unsigned left = without_id(edges); left != 0; left &= left - 1) {
-        const auto k = static_cast<std::size_t>(std::countr_zero(left));
-        const auto [a, b] = kEdgeCorners[k];
-        const auto& tet = hull_.tets[t];
-        edges[k] = EdgeId{static_cast<std::uint32_t>(part.edges.size())};
-        part.edges.push_back({{tet[rank(a, odd[t])], tet[rank(b, odd[t])]},
-                              triangles[t][rank(kEdgeCorners[5 - k][0], odd[t])]});
-      }
-      edges_of[t] = edges;
     }
   }
 
-  /// Which edges, counted through all parts, are one. Takes triangles over across the cuts.
-  DisjointSets joined() {
-    std::size_t count = 0;
-    for (Part& part : parts_) {
-      part.first_edge = static_cast<std::uint32_t>(count);
-      count += part.edges.size();
-    }
-    DisjointSets sets(count);
-    for (const Part& part : parts_) {
-      for (const auto& [a, b] : part.same) sets.unite(part.first_edge + +a, part.first_edge + +b);
-      for (const FacetHandle f : part.joints) join(part, f, sets);
-    }
-    return sets;
-  }
+  /// Marks what is not a number but a place in Part::of_others.
+  static constexpr std::uint32_t kOfOther = std::uint32_t{1} << 31;
 
-  void join(const Part& part, FacetHandle f, DisjointSets& sets) {
-    const std::uint32_t t = f >> 2;
-    const FacetHandle h = hull_.neighbors[t][f & 3];
-    const std::uint32_t u = h >> 2;
-    result_.triangles_of_tet[t][f & 3] = result_.triangles_of_tet[u][h & 3];
-    const Part& before = *std::ranges::find_if(parts_, [&](const Part& p) { return u < p.end; });
-    const auto& mine = edges_of_facet(f, odd_.data());
-    const auto& theirs = edges_of_facet(h, odd_.data());
-    for (std::size_t m = 0; m < 3; ++m) {
-      sets.unite(part.first_edge + +result_.edges_of_tet[t][mine[m]],
-                 before.first_edge + +result_.edges_of_tet[u][theirs[m]]);
-    }
-  }
-
-  /// Of the ids of one edge the first is kept; closes the gaps, and puts each tetrahedron's edges
-  /// in the order of its corners.
-  void number_edges(DisjointSets sets) {
-    LargeArray<EdgeId> number(parts_.back().first_edge + parts_.back().edges.size());
-    auto& edges = parts_[0].edges;  // what is kept moves to the front of these
-    std::uint32_t count = 0;
-    for (const Part& part : parts_) {
-      const std::size_t size = part.edges.size();
-      if (&part != &parts_[0]) edges.resize(count + size);
-      for (std::uint32_t e = 0; e < size; ++e) {
-        const std::uint32_t id = part.first_edge + e;
-        const std::uint32_t first = sets.find(id);
-        if (first == id) edges[count] = part.edges[e];
-        number[id] = first == id ? EdgeId{count++} : number[first];
+  /// `numbers`: per id a smaller one of the same edge, or itself.
+  void number_edges(LargeArray<std::uint32_t> numbers) {
+    parallel_each(parts_.size(), [&](std::size_t p) { number_in(parts_[p], numbers); });
+    std::uint32_t sum = 0;
+    for (auto part = parts_.begin(); part != parts_.end(); ++part) {
+      part->first_edge = sum;
+      sum += part->edge_count;
+      for (std::uint32_t& other : part->of_others) {
+        const auto ends_before = [&](const Part& p) { return p.ids_end <= other; };
+        other = number(*std::partition_point(parts_.begin(), part, ends_before), numbers[other]);
       }
     }
-    edges.resize(count);
-    result_.edges = std::move(edges);
+    result_.edges.resize(sum);
     parallel_each(parts_.size(), [&](std::size_t p) {
-      const EdgeId* const numbers = number.data() + parts_[p].first_edge;
-      for (std::uint32_t t = parts_[p].begin; t < parts_[p].end; ++t) {
-        const RankedEdges ranked = result_.edges_of_tet[t];
-        for (std::size_t k = 0; k < 6; ++k) {
-          result_.edges_of_tet[t][k] = numbers[+ranked[edge_rank(k, odd_[t])]];
-        }
-      }
+      number_edges_of_tets(parts_[p], numbers);
+      set_edges(parts_[p], numbers);
     });
+  }
+
+  /// Puts in the place of each id in a part its number there.
+  static void number_in(Part& part, LargeArray<std::uint32_t>& all_numbers) {
+    const std::uint32_t begin = part.ids_begin;
+    std::uint32_t* const numbers = all_numbers.data();
+    std::uint32_t count = 0;
+    for (std::uint32_t id = begin; id < part.ids_end; ++id) {
+      const std::uint32_t parent = numbers[id];
+      if (parent == id) {
+        numbers[id] = count++;
+      } else if (parent >= begin) {
+        numbers[id] = numbers[parent];
+      } else {
+        numbers[id] = kOfOther + static_cast<std::uint32_t>(part.of_others.size());
+        part.of_others.push_back(parent);
+      }
+    }
+    part.edge_count = count;
+  }
+
+  static std::uint32_t number(const Part& part, std::uint32_t in_part) {
+    return in_part < kOfOther ? part.first_edge + in_part : part.of_others[in_part - kOfOther];
+  }
+
+  /// And puts them in the order of the corners.
+  void number_edges_of_tets(const Part& part, const LargeArray<std::uint32_t>& all_numbers) {
+    const std::uint32_t* const numbers = all_numbers.data();
+    const std::uint8_t* const odd = odd_.data();
+    auto* const edges_of = result_.edges_of_tet.data();
+    for (std::uint32_t t = part.stretch.begin; t < part.stretch.end; ++t) {
+      const RankedEdges ranked = edges_of[t];
+      for (std::size_t k = 0; k < 6; ++k) {
+        edges_of[t][edge_rank(k, odd[t])] = EdgeId{number(part, numbers[+ranked[k]])};
+      }
+    }
+  }
+
+  /// Those that are first in this part, as the first tetrahedron has them.
+  void set_edges(const Part& part, const LargeArray<std::uint32_t>& numbers) {
+    Simplices::Edge* const edges = result_.edges.data() + part.first_edge;
+    std::uint32_t next = 0;
+    for (std::uint32_t id = part.ids_begin; id < part.ids_end; ++id) {
+      if (numbers[id] != next) continue;
+      const std::uint32_t t = made_in_[id] / 6;
+      const auto [a, b] = kEdgeCorners[made_in_[id] % 6];
+      const std::uint8_t c = kEdgeCorners[5 - made_in_[id] % 6][0];
+      const std::uint8_t odd = odd_[t];
+      const auto& tet = hull_.tets[t];
+      edges[next++] = {{tet[rank(a, odd)], tet[rank(b, odd)]},
+                       result_.triangles_of_tet[t][rank(c, odd)]};
+    }
   }
 
   /// An infinite tetrahedron has what the finite one behind it has.
@@ -262,19 +277,19 @@ class Finder {
   }
 
   const LiftedHull& hull_;
-  int threads_;
+  const SimplicesOptions& options_;
   std::size_t count_;
   std::size_t finite_count_;
   LargeArray<std::uint8_t> odd_;
   std::vector<Part> parts_;
+  LargeArray<std::uint32_t> made_in_;  ///< see simplices::Sweep
   Simplices result_;
 };
 
 }  // namespace
 
-Simplices find_simplices(const LiftedHull& hull, int threads,
-                         const std::function<void(double)>& progress) {
-  return Finder(hull, threads).run(progress);
+Simplices find_simplices(const LiftedHull& hull, const SimplicesOptions& options) {
+  return Finder(hull, options).run();
 }
 
 }  // namespace tetsculpt

@@ -22,11 +22,17 @@ struct Simplices {
   LargeArray<Edge> edges;
 };
 
+struct SimplicesOptions {
+  int threads = 1;  ///< at most so many; the result does not depend on it
+  /// Takes vectors of eight numbers where the processor has them; the result does not depend on it.
+  bool by_eight = true;
+  /// Told now and then, on the caller's thread, which share is done. May throw.
+  std::function<void(double)> progress = {};
+};
+
 /// Numbers triangles and edges in the order in which the finite tetrahedra have them. What has a
-/// corner at infinity gets no id.
-/// `progress` is told now and then, on the caller's thread, which share is done, and may throw. The
-/// result does not depend on `threads`.  Cost: linear.
-Simplices find_simplices(const LiftedHull& hull, int threads,
-                         const std::function<void(double)>& progress);
+/// corner at infinity gets no id. Throws std::length_error where there are too many for their ids,
+/// about 2^31 edges or 2^32 / 6 tetrahedra. Cost: linear.
+Simplices find_simplices(const LiftedHull& hull, const SimplicesOptions& options = {});
 
 }  // namespace tetsculpt

@@ -17,7 +17,7 @@ std::string name(TetId t) { return "tetrahedron " + std::to_string(+t); }
 TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count,
                        const std::function<void(double)>& progress, int threads)
     : hull_(std::move(hull)),
-      simplices_(find_simplices(hull_, threads, progress)),
+      simplices_(find_simplices(hull_, {.threads = threads, .progress = progress})),
       tet_of_vertex_(vertex_count, TetId{0}) {
   for (std::size_t t = hull_.finite_count; t-- > 0;) {
     for (const VertexId v : hull_.tets[t]) {

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "tests/support/point_sets.h"
@@ -26,6 +27,19 @@ TEST_CASE("unite says whether two sets became one") {
   CHECK_FALSE(sets.unite(1, 2));
   CHECK(sets.find(0) == sets.find(3));
   CHECK(sets.find(0) != sets.find(4));
+}
+
+TEST_CASE("sets made one by one, and the parents they leave") {
+  DisjointSets sets = DisjointSets::room_for(6);
+  for (const std::uint32_t x : {4u, 1u, 2u, 5u}) sets.make_set(x);
+  CHECK(sets.unite(5, 2));
+  CHECK(sets.unite(4, 5));
+  CHECK(sets.find(4) == 2);
+  const auto parents = std::move(sets).take_parents();
+  REQUIRE(parents.size() == 6);
+  CHECK(parents[1] == 1);
+  CHECK(parents[2] == 2);
+  CHECK((parents[4] == 2 && parents[5] == 2));
 }
 
 TEST_CASE("the same classes as relabelling by hand") {

@@ -25,6 +25,7 @@ foreach(
   delaunay_input_order_test
   delaunay_progress_test
   delaunay_threads_test
+  simplices_test
   complex_turn_test
   complex_incidence_test
   complex_invariant_test
