@@ -18,7 +18,7 @@ namespace tetsculpt {
 using FacetHandle = std::uint32_t;
 
 /// The tetrahedra, finite ones first, then one infinite tetrahedron per triangle of the convex
-/// hull; these and those in the order of their lowest corners.
+/// hull.
 struct LiftedHull {
   /// Corners, in ascending order but for the last two, whose order gives the orientation. Finite
   /// tetrahedra are positively oriented (orient3d of the corners is kPositive); one corner of an

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
-#include "kernel/parallel.h"
 #include "kernel/predicates.h"
 
 namespace tetsculpt {
@@ -21,30 +19,10 @@ TetComplex::TetComplex(LiftedHull hull, std::size_t vertex_count,
     : hull_(std::move(hull)),
       simplices_(find_simplices(hull_, {.threads = threads, .progress = progress})),
       tet_of_vertex_(vertex_count, TetId{0}) {
-  // Each thread has a range of the tetrahedra, which come in the order of their lowest corners: no
-  // later range reaches below its first tetrahedron's lowest corner.
-  struct AtVertex {
-    VertexId vertex;
-    TetId tet;
-  };
-  const auto in_range = [&](std::size_t begin, std::size_t end) {
-    const VertexId later = end < hull_.finite_count ? hull_.tets[end][0] : kInfinite;
-    std::vector<AtVertex> others;
-    for (std::size_t t = end; t-- > begin;) {
-      const TetId tet{static_cast<std::uint32_t>(t)};
-      for (const VertexId v : hull_.tets[t]) {
-        if (v < later) {
-          tet_of_vertex_[+v] = tet;
-        } else {
-          others.push_back({v, tet});
-        }
-      }
+  for (std::size_t t = hull_.finite_count; t-- > 0;) {
+    for (const VertexId v : hull_.tets[t]) {
+      tet_of_vertex_[+v] = TetId{static_cast<std::uint32_t>(t)};
     }
-    return others;
-  };
-  auto others = parallel_results(range_cuts(hull_.finite_count, threads), in_range);
-  for (auto of_range = others.rbegin(); of_range != others.rend(); ++of_range) {
-    for (const auto& [vertex, tet] : *of_range) tet_of_vertex_[+vertex] = tet;
   }
 }
 
@@ -77,10 +55,6 @@ std::optional<std::string> broken_tet(const TetComplex& complex, TetId t,
   }
   if (!(v[0] < v[1] && v[1] < std::min(v[2], v[3])))
     return name(t) + " has its corners out of order";
-  if (+t > 0 && +t != complex.finite_tet_count() &&
-      v[0] < complex.vertices(TetId{static_cast<std::uint32_t>(+t - 1)})[0]) {
-    return name(t) + " is out of order";
-  }
   if (infinite != (complex.finite(t) ? 0 : 1)) return name(t) + " has a wrong corner at infinity";
   if (infinite == 0 &&
       orient3d(points[+v[0]], points[+v[1]], points[+v[2]], points[+v[3]]) != Sign::kPositive) {

@@ -31,8 +31,8 @@ class TetComplex {
  public:
   /// No simplex at all.
   TetComplex() = default;
-  /// Takes the tetrahedra of a hull over `vertex_count` points, in the order that LiftedHull
-  /// promises, and their corners, too; finds its triangles and edges. `progress` is told now and then which
+  /// Takes the tetrahedra of a hull over `vertex_count` points, their corners in the order that
+  /// LiftedHull promises, and finds its triangles and edges. `progress` is told now and then which
   /// share of that is done, from 0 to 1, and may throw. The result does not depend on `threads`.
   /// Cost: linear; 8 to 10 words per tetrahedron.
   TetComplex(LiftedHull hull, std::size_t vertex_count,

@@ -33,17 +33,6 @@ void exchange(LiftedHull& hull, std::uint32_t t, std::size_t a, std::size_t b) {
   }
 }
 
-/// Exchanges two tetrahedra.
-void exchange(LiftedHull& hull, std::uint32_t t, std::uint32_t u) {
-  std::swap(hull.tets[t], hull.tets[u]);
-  std::swap(hull.neighbors[t], hull.neighbors[u]);
-  for (auto& neighbors : hull.neighbors) {
-    for (FacetHandle& h : neighbors) {
-      if (h >> 2 == t || h >> 2 == u) h = 4 * (t + u - (h >> 2)) + (h & 3);
-    }
-  }
-}
-
 /// Two hulls side by side, that of `second` with its vertices after those of `first`.
 LiftedHull side_by_side(const LiftedHull& first, std::uint32_t first_vertices,
                         const LiftedHull& second) {
@@ -80,17 +69,6 @@ TEST_CASE("a tetrahedron turned inside out") {
   LiftedHull hull = lifted_hull(points);
   exchange(hull, 0, 2, 3);
   CHECK(complaint(std::move(hull), points) == "tetrahedron 0 is not positively oriented");
-}
-
-TEST_CASE("tetrahedra in another order") {
-  const std::vector<Point3> points = some_points();
-  LiftedHull hull = lifted_hull(points);
-  exchange(hull, 0, static_cast<std::uint32_t>(hull.finite_count) - 1);
-  CHECK(complaint(std::move(hull), points) == "tetrahedron 1 is out of order");
-  hull = lifted_hull(points);
-  exchange(hull, static_cast<std::uint32_t>(hull.finite_count),
-           static_cast<std::uint32_t>(hull.tets.size()) - 1);
-  CHECK(complaint(std::move(hull), points).ends_with(" is out of order"));
 }
 
 TEST_CASE("a tetrahedron with its corners in another order of the same orientation") {
