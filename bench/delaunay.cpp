@@ -64,6 +64,7 @@ void add_all(const std::vector<std::string>& files) {
     add(input, "hull", make_hull, 1);
     add(input, "hull", make_hull, 2);
     add(input, "complex", make_complex, 1);
+    add(input, "complex", make_complex, 2);
   }
   for (const std::string& file : files) {
     const Input input{file, [=](std::size_t) { return points_of_file(file); }, 1 << 10};

@@ -35,12 +35,15 @@ std::vector<Contestant> contestants() {
           .finite_count;
     };
   };
+  const auto complex = [](int threads) {
+    return [=](const std::vector<Point3>& points) {
+      return delaunay(distinct_points(points, threads), {.threads = threads}).finite_tet_count();
+    };
+  };
   std::vector<Contestant> all{{"hull", hull(1)},
                               {"hull, 2 threads", hull(2)},
-                              {"complex",
-                               [](const std::vector<Point3>& points) {
-                                 return delaunay(distinct_points(points)).finite_tet_count();
-                               }},
+                              {"complex", complex(1)},
+                              {"complex, 2 threads", complex(2)},
                               {"surface, guided", [](const std::vector<Point3>& points) {
                                  return reconstruct(points).mesh.triangles.size();
                                }}};

@@ -63,7 +63,8 @@ struct Sweep {
 /// Takes ids of triangles and edges over from neighbours in the stretch that were swept before, and
 /// makes new ones for what none of them has. Those before `from` were swept.
 void sweep(const Sweep& all, Stretch& stretch, std::uint32_t from, std::uint32_t to);
-/// The same, where hull::has_four_lanes(), in half the time.
+/// The same, where hull::has_four_lanes(), with fewer branches that nobody can guess: all triangles
+/// and edges come in 0.8 to 0.9 of the time.
 void sweep_by_eight(const Sweep& all, Stretch& stretch, std::uint32_t from, std::uint32_t to);
 
 }  // namespace tetsculpt::simplices
