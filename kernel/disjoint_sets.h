@@ -18,7 +18,7 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
   /// Room for n members, each of which is in no set before make_set(). Threads whose members have
-  /// no set in common may make sets and unite them at a time.
+  /// no set in common may make sets and unite them at the same time.
   static DisjointSets room_for(std::size_t n) {
     DisjointSets sets(0);
     sets.parent_.resize(n);

@@ -13,7 +13,7 @@
 #endif
 
 /// Four numbers at a time, in vectors of GCC's and Clang's extension, the same on all processors.
-/// Internal to kernel/lifted_hull.
+/// Internal to kernel/lifted_hull and kernel/simplices.
 namespace tetsculpt::hull {
 
 /// Whether this build and this processor can take four doubles at a time: AVX2 and FMA.
