@@ -80,12 +80,12 @@ class Finder {
         options_(options),
         count_(hull.tets.size()),
         finite_count_(hull.finite_count),
-        odd_(count_),
-        parts_(worth_threads(finite_count_, options.threads)) {
+        odd_(count_) {
+    const std::vector<std::size_t> cuts = range_cuts(finite_count_, options.threads);
+    parts_.resize(cuts.size() - 1);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      Stretch& stretch = parts_[p].stretch;
-      stretch.begin = static_cast<std::uint32_t>(finite_count_ * p / parts_.size());
-      stretch.end = static_cast<std::uint32_t>(finite_count_ * (p + 1) / parts_.size());
+      parts_[p].stretch.begin = static_cast<std::uint32_t>(cuts[p]);
+      parts_[p].stretch.end = static_cast<std::uint32_t>(cuts[p + 1]);
     }
   }
 
@@ -230,7 +230,7 @@ class Finder {
     return in_part < kOfOther ? part.first_edge + in_part : part.of_others[in_part - kOfOther];
   }
 
-  /// And puts them in the order of the corners.
+  /// Gives tetrahedra the numbers of their edges, in the order of their corners.
   void number_edges_of_tets(const Part& part, const LargeArray<std::uint32_t>& all_numbers) {
     const std::uint32_t* const numbers = all_numbers.data();
     const std::uint8_t* const odd = odd_.data();
@@ -243,7 +243,7 @@ class Finder {
     }
   }
 
-  /// Those that are first in this part, as the first tetrahedron has them.
+  /// Writes the edges that are first in this part, as their first tetrahedron has them.
   void set_edges(const Part& part, const LargeArray<std::uint32_t>& numbers) {
     Simplices::Edge* const edges = result_.edges.data() + part.first_edge;
     std::uint32_t next = 0;

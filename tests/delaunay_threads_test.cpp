@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "kernel/delaunay.h"
@@ -16,10 +15,7 @@
 namespace tetsculpt {
 namespace {
 
-struct Set {
-  std::string name;
-  std::vector<Point3> points;
-};
+using point_sets::NamedPoints;
 
 /// Pairs of skew lines: the tetrahedra are 58 times as many as the points, more than there is room
 /// for while threads insert.
@@ -38,7 +34,7 @@ std::vector<Point3> crowded() {
 
 /// Large enough for the last rounds to be shared among threads, and on the bumpy sphere what is
 /// left of the last one, too.
-std::vector<Set> large_sets() {
+std::vector<NamedPoints> large_sets() {
   return {{"bumpy sphere, seed 2", point_sets::bumpy_sphere(60000, 2)},
           {"cube, seed 1", point_sets::uniform_cube(60000, 1)},
           {"torus, seed 3", point_sets::random_torus(30000, 3)},
@@ -81,7 +77,7 @@ std::size_t differing_simplices(const TetComplex& a, const TetComplex& b) {
 }
 
 TEST_CASE("the same tetrahedra, neighbours, triangles and edges in the same order") {
-  for (const Set& set : testing::some_of(large_sets())) {
+  for (const NamedPoints& set : testing::some_of(large_sets())) {
     CAPTURE(set.name);
     const DistinctPoints points = distinct_points(set.points);
     const TetComplex expected = delaunay(points);

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -17,16 +16,13 @@
 namespace tetsculpt {
 namespace {
 
-struct Set {
-  std::string name;
-  std::vector<Point3> points;
-};
+using point_sets::NamedPoints;
 
 /// In which a thread inserts its half of the points, and far more.
 constexpr std::chrono::milliseconds kLong(testing::kSanitized ? 1000 : 150);
 
 /// So many that a thread that waits has enough left to share.
-std::vector<Set> large_sets() {
+std::vector<NamedPoints> large_sets() {
   return {{"cube, seed 1", point_sets::uniform_cube(50000, 1)},
           {"bumpy sphere, seed 2", point_sets::bumpy_sphere(50000, 2)},
           {"grid of side 36", point_sets::grid(36)},
@@ -44,7 +40,7 @@ bool same(const LiftedHull& a, const LiftedHull& b) {
 }
 
 TEST_CASE("the hull is the same while the caller's thread sleeps") {
-  for (const Set& set : testing::some_of(large_sets())) {
+  for (const NamedPoints& set : testing::some_of(large_sets())) {
     CAPTURE(set.name);
     const LargeArray<Point3> points = distinct_points(set.points).points;
     const LiftedHull expected = lifted_hull(points, {});

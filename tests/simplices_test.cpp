@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "kernel/distinct_points.h"
@@ -16,13 +15,10 @@
 namespace tetsculpt {
 namespace {
 
-struct Set {
-  std::string name;
-  std::vector<Point3> points;
-};
+using point_sets::NamedPoints;
 
 /// Large enough for several threads.
-std::vector<Set> sets() {
+std::vector<NamedPoints> sets() {
   return {{"cube", point_sets::uniform_cube(6000, 1)},
           {"bumpy sphere", point_sets::bumpy_sphere(6000, 2)},
           {"grid", point_sets::grid(16)},
@@ -45,7 +41,7 @@ bool same(const Simplices& a, const Simplices& b) {
 }
 
 TEST_CASE("the same with and without vectors, on any number of threads") {
-  for (const Set& set : sets()) {
+  for (const NamedPoints& set : sets()) {
     CAPTURE(set.name);
     const LiftedHull hull = hull_of(set.points);
     REQUIRE(hull.finite_count > 16384);  // worth four threads

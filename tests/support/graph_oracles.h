@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <set>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "kernel/ids.h"
 #include "kernel/point.h"
 #include "kernel/tet_complex.h"
+#include "tests/support/point_sets.h"
 
 /// The complex and the graphs from their definitions, by brute force over all points; and the sets
 /// to compare the kernel with them on. Ties are broken as kernel/perturbation.h says.
@@ -46,10 +46,7 @@ std::set<Triangle> triangles(const TetComplex& complex);
 std::set<Edge> edges_of(const TetComplex& complex, std::span<const EdgeId> ids);
 std::set<Edge> flagged_edges(const TetComplex& complex, std::span<const std::uint8_t> flags);
 
-struct NamedPoints {
-  std::string name;
-  std::vector<Point3> points;
-};
+using point_sets::NamedPoints;
 
 /// Sets that span no solid: 0 to 3 points, equal, collinear and coplanar ones.
 std::vector<NamedPoints> flat_sets();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "kernel/point.h"
@@ -24,6 +25,11 @@ class Random {
 
  private:
   std::uint64_t state_;
+};
+
+struct NamedPoints {
+  std::string name;
+  std::vector<Point3> points;
 };
 
 /// A permutation of the points.
