@@ -9,8 +9,8 @@ namespace tetsculpt {
 
 /// Vertices of one round: every step-th, less those of the rounds before.
 struct InsertionRound {
-  /// A round is seven times as large as all before it.
-  static constexpr std::size_t kRatio = 8;
+  /// A round is fifteen times as large as all before it.
+  static constexpr std::size_t kRatio = 16;
   static_assert(std::has_single_bit(kRatio));
 
   std::size_t vertex_count;  ///< of the set
@@ -27,7 +27,7 @@ struct InsertionRound {
   }
 };
 
-/// Every 8^k-th vertex, for k down to 0: within a round by id, which is along a Hilbert curve.
+/// Every 16^k-th vertex, for k down to 0: within a round by id, which is along a Hilbert curve.
 std::vector<InsertionRound> insertion_rounds(std::size_t vertex_count);
 
 }  // namespace tetsculpt
