@@ -13,9 +13,8 @@ Box box_of(std::span<const Point3> points, int threads) {
     return part;
   };
   Box box;
-  for (const Box& part : parallel_results(range_cuts(points.size(), threads), box_of_range)) {
-    box.include_all(part);
-  }
+  const auto cuts = share_cuts(points.size(), threads);
+  for (const Box& part : parallel_results(cuts, threads, box_of_range)) box.include_all(part);
   return box;
 }
 

@@ -61,9 +61,8 @@ BinaryRange range_of(std::span<const Point3> points, int threads,
     return range;
   };
   BinaryRange range;
-  for (const auto& part : parallel_results(range_cuts(points.size(), threads), range_of_part)) {
-    range.include(part);
-  }
+  const auto cuts = share_cuts(points.size(), threads);
+  for (const auto& part : parallel_results(cuts, threads, range_of_part)) range.include(part);
   return range;
 }
 
@@ -113,7 +112,7 @@ bool gather(std::span<const Point3> points, std::span<const std::uint32_t> order
     }
     return std::uint8_t{any_equal};  // not of a vector of bits: each thread writes its own
   };
-  const auto any_equal = parallel_results(range_cuts(points.size(), threads), gather_part);
+  const auto any_equal = parallel_results(share_cuts(points.size(), threads), threads, gather_part);
   return std::ranges::find(any_equal, 1) != any_equal.end();
 }
 

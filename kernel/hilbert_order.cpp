@@ -190,11 +190,11 @@ LargeArray<std::uint32_t> hilbert_order(std::span<const Point3> points, int thre
   const auto agree = [&](std::size_t a, std::size_t b) {
     return high_bits(numbers[a]) == high_bits(numbers[b]);
   };
-  std::vector<std::size_t> cuts = range_cuts(order.size(), threads);
+  std::vector<std::size_t> cuts = share_cuts(order.size(), threads);
   for (std::size_t& cut : cuts) {  // those that agree are not cut in two
     while (cut > 0 && cut < order.size() && agree(cut - 1, cut)) ++cut;
   }
-  parallel_each(cuts.size() - 1, [&](std::size_t part) {
+  parallel_shares(cuts.size() - 1, threads, [&](std::size_t part) {
     touch(order, cuts[part], cuts[part + 1]);
     for (std::size_t first = cuts[part]; first < cuts[part + 1];) {
       std::size_t last = first;

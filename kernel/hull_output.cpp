@@ -112,7 +112,7 @@ class Output {
   /// Calls work(begin, end) on each share.
   template <class Work>
   void for_each_share(Work&& work) const {
-    parallel_shares(cuts_.size() - 1, worth_threads(count_, threads_),
+    parallel_shares(cuts_.size() - 1, threads_,
                     [&](std::size_t part) { work(cuts_[part], cuts_[part + 1]); });
   }
 

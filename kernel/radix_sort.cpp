@@ -67,7 +67,8 @@ struct Digits {
       return bits;
     };
     std::uint64_t bits = 0;
-    for (const auto b : parallel_results(range_cuts(items.size(), threads), differing)) bits |= b;
+    const auto cuts = share_cuts(items.size(), threads);
+    for (const auto b : parallel_results(cuts, threads, differing)) bits |= b;
     low = std::max(0, static_cast<int>(std::bit_width(bits)) - kDigits * kDigitBits);
   }
   template <class Item>
@@ -111,7 +112,8 @@ std::vector<std::size_t> split_into(LargeArray<Item>& to, const LargeArray<Item>
   };
   Histogram range_of{};  // per digit
   std::vector<std::size_t> begin{0};
-  const std::vector<Histogram> counts = parallel_results(cuts, count);
+  const auto threads = static_cast<int>(cuts.size() - 1);
+  const std::vector<Histogram> counts = parallel_results(cuts, threads, count);
   std::vector<std::vector<std::size_t>> next(counts.size(),
                                              std::vector<std::size_t>(counts.size()));
   std::size_t sum = 0;

@@ -9,6 +9,7 @@ foreach(
   distinct_invariant_test
   large_array_test
   large_block_test
+  parallel_test
   radix_sort_test
   disjoint_sets_test
   simplex_dimension_test
