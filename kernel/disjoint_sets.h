@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -42,10 +43,35 @@ class DisjointSets {
     return true;
   }
 
+  /// The same where other threads do so, too, and nobody does anything else.
+  bool unite_concurrently(std::uint32_t a, std::uint32_t b) {
+    for (;;) {
+      a = find_concurrently(a);
+      b = find_concurrently(b);
+      if (a == b) return false;
+      if (a < b) std::swap(a, b);
+      std::uint32_t root = a;
+      if (parent(a).compare_exchange_weak(root, b, std::memory_order_relaxed)) return true;
+    }
+  }
+
   /// Per member a smaller one of its set; itself if it is the smallest.
   LargeArray<std::uint32_t> take_parents() && { return std::move(parent_); }
 
  private:
+  std::atomic_ref<std::uint32_t> parent(std::uint32_t x) { return std::atomic_ref(parent_[x]); }
+  /// What is the smallest member, until some other thread unites its set with another.
+  std::uint32_t find_concurrently(std::uint32_t x) {
+    for (;;) {
+      const std::uint32_t above = parent(x).load(std::memory_order_relaxed);
+      const std::uint32_t next = parent(above).load(std::memory_order_relaxed);
+      if (next == above) return above;
+      // Others may have put a smaller one there; this one is in the set as well.
+      parent(x).store(next, std::memory_order_relaxed);
+      x = next;
+    }
+  }
+
   LargeArray<std::uint32_t> parent_;
 };
 

@@ -110,13 +110,17 @@ class Finder {
   }
 
  private:
+  /// In so many shares a part is numbered, by whichever thread is free.
+  static constexpr std::size_t kShares = 8;
+
   /// A stretch of tetrahedra. Two threads don't write to one cache line.
   struct alignas(64) Part {
     Stretch stretch;
     std::uint32_t ids_begin = 0;  ///< of edges
     std::uint32_t ids_end = 0;
     std::uint32_t first_edge = 0;  ///< as they are numbered in the end
-    std::uint32_t edge_count = 0;
+    /// Of shares of its ids: how many edges are first in those before, and in all.
+    std::array<std::uint32_t, kShares + 1> edges_before{};
     /// Of edges that are a part's before: one of its ids each, then their numbers.
     std::vector<std::uint32_t> of_others;
   };
@@ -169,20 +173,24 @@ class Finder {
 
   /// What is on both sides of a cut, given as facets behind it.
   void join(const std::vector<FacetHandle>& facets, DisjointSets& same) {
-    constexpr std::size_t kAhead = 16;
-    for (std::size_t k = 0; k < facets.size(); ++k) {
-      const FacetHandle next = facets[std::min(k + kAhead, facets.size() - 1)];
-      __builtin_prefetch(&result_.edges_of_tet[hull_.neighbors[next >> 2][next & 3] >> 2]);
-      const FacetHandle f = facets[k];
-      const FacetHandle g = hull_.neighbors[f >> 2][f & 3];
-      result_.triangles_of_tet[f >> 2][f & 3] = result_.triangles_of_tet[g >> 2][g & 3];
-      const auto& mine = edges_of_facet(f, odd_.data());
-      const auto& theirs = edges_of_facet(g, odd_.data());
-      for (std::size_t m = 0; m < 3; ++m) {
-        same.unite(+result_.edges_of_tet[f >> 2][mine[m]],
-                   +result_.edges_of_tet[g >> 2][theirs[m]]);
+    parallel_ranges(facets.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
+      constexpr std::size_t kAhead = 16;
+      for (std::size_t k = begin; k < end; ++k) {
+        const FacetHandle next = facets[std::min(k + kAhead, end - 1)];
+        __builtin_prefetch(&result_.edges_of_tet[hull_.neighbors[next >> 2][next & 3] >> 2]);
+        const FacetHandle f = facets[k];
+        const FacetHandle g = hull_.neighbors[f >> 2][f & 3];
+        result_.triangles_of_tet[f >> 2][f & 3] = result_.triangles_of_tet[g >> 2][g & 3];
+        const RankedEdges& edges = result_.edges_of_tet[f >> 2];
+        const RankedEdges& others = result_.edges_of_tet[g >> 2];
+        const auto& mine = edges_of_facet(f, odd_.data());
+        const auto& theirs = edges_of_facet(g, odd_.data());
+        for (std::size_t m = 0; m < 3; ++m) {
+          same.unite_concurrently(static_cast<std::uint32_t>(+edges[mine[m]]),
+                                  static_cast<std::uint32_t>(+others[theirs[m]]));
+        }
       }
-    }
+    });
   }
 
   /// Marks what is not a number but a place in Part::of_others.
@@ -194,36 +202,54 @@ class Finder {
     std::uint32_t sum = 0;
     for (auto part = parts_.begin(); part != parts_.end(); ++part) {
       part->first_edge = sum;
-      sum += part->edge_count;
-      for (std::uint32_t& other : part->of_others) {
-        const auto ends_before = [&](const Part& p) { return p.ids_end <= other; };
-        other = number(*std::partition_point(parts_.begin(), part, ends_before), numbers[other]);
-      }
+      sum += part->edges_before[kShares];
+      auto& others = part->of_others;
+      parallel_ranges(others.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto ends_before = [&, other = others[k]](const Part& p) {
+            return p.ids_end <= other;
+          };
+          const auto first = std::partition_point(parts_.begin(), part, ends_before);
+          others[k] = number(*first, numbers[others[k]]);
+        }
+      });
     }
     result_.edges.resize(sum);
-    parallel_each(parts_.size(), [&](std::size_t p) {
-      number_edges_of_tets(parts_[p], numbers);
-      set_edges(parts_[p], numbers);
+    parallel_shares(kShares * parts_.size(), options_.threads, [&](std::size_t share) {
+      number_edges_of_tets(parts_[share / kShares], share % kShares, numbers);
+      set_edges(parts_[share / kShares], share % kShares, numbers);
     });
   }
 
   /// Puts in the place of each id in a part its number there.
   static void number_in(Part& part, LargeArray<std::uint32_t>& all_numbers) {
-    const std::uint32_t begin = part.ids_begin;
+    const std::uint32_t part_begin = part.ids_begin;
     std::uint32_t* const numbers = all_numbers.data();
     std::uint32_t count = 0;
-    for (std::uint32_t id = begin; id < part.ids_end; ++id) {
-      const std::uint32_t parent = numbers[id];
-      if (parent == id) {
-        numbers[id] = count++;
-      } else if (parent >= begin) {
-        numbers[id] = numbers[parent];
-      } else {
-        numbers[id] = kOfOther + static_cast<std::uint32_t>(part.of_others.size());
-        part.of_others.push_back(parent);
+    for (std::size_t share = 0; share < kShares; ++share) {
+      const auto [begin, end] = share_of(part.ids_begin, part.ids_end, share);
+      for (std::uint32_t id = begin; id < end; ++id) {
+        const std::uint32_t parent = numbers[id];
+        if (parent == id) {
+          numbers[id] = count++;
+        } else if (parent >= part_begin) {
+          numbers[id] = numbers[parent];
+        } else {
+          numbers[id] = kOfOther + static_cast<std::uint32_t>(part.of_others.size());
+          part.of_others.push_back(parent);
+        }
       }
+      part.edges_before[share + 1] = count;
     }
-    part.edge_count = count;
+  }
+
+  /// A share of [begin, end), of tetrahedra or of ids.
+  static std::pair<std::uint32_t, std::uint32_t> share_of(std::uint32_t begin, std::uint32_t end,
+                                                          std::size_t share) {
+    const auto cut = [&](std::size_t k) {
+      return begin + static_cast<std::uint32_t>((end - begin) * k / kShares);
+    };
+    return {cut(share), cut(share + 1)};
   }
 
   static std::uint32_t number(const Part& part, std::uint32_t in_part) {
@@ -231,11 +257,13 @@ class Finder {
   }
 
   /// Gives tetrahedra the numbers of their edges, in the order of their corners.
-  void number_edges_of_tets(const Part& part, const LargeArray<std::uint32_t>& all_numbers) {
+  void number_edges_of_tets(const Part& part, std::size_t share,
+                            const LargeArray<std::uint32_t>& all_numbers) {
+    const auto [begin, end] = share_of(part.stretch.begin, part.stretch.end, share);
     const std::uint32_t* const numbers = all_numbers.data();
     const std::uint8_t* const odd = odd_.data();
     auto* const edges_of = result_.edges_of_tet.data();
-    for (std::uint32_t t = part.stretch.begin; t < part.stretch.end; ++t) {
+    for (std::uint32_t t = begin; t < end; ++t) {
       const RankedEdges ranked = edges_of[t];
       for (std::size_t k = 0; k < 6; ++k) {
         edges_of[t][edge_rank(k, odd[t])] = EdgeId{number(part, numbers[+ranked[k]])};
@@ -243,11 +271,12 @@ class Finder {
     }
   }
 
-  /// Writes the edges that are first in this part, as their first tetrahedron has them.
-  void set_edges(const Part& part, const LargeArray<std::uint32_t>& numbers) {
+  /// Writes the edges that are first in this share, as their first tetrahedron has them.
+  void set_edges(const Part& part, std::size_t share, const LargeArray<std::uint32_t>& numbers) {
     Simplices::Edge* const edges = result_.edges.data() + part.first_edge;
-    std::uint32_t next = 0;
-    for (std::uint32_t id = part.ids_begin; id < part.ids_end; ++id) {
+    std::uint32_t next = part.edges_before[share];
+    const auto [begin, end] = share_of(part.ids_begin, part.ids_end, share);
+    for (std::uint32_t id = begin; id < end; ++id) {
       if (numbers[id] != next) continue;
       const std::uint32_t t = made_in_[id] / 6;
       const auto [a, b] = kEdgeCorners[made_in_[id] % 6];

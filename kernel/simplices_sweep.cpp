@@ -133,22 +133,26 @@ TETSCULPT_FOUR_LANES void sweep_by_eight(const Sweep& all, Stretch& stretch, std
     }
     const FourIndices across = hull::four_of(all.neighbors[t].data());
     const FourIndices other = across >> 2;
-    const auto before = hull::first_bits(reinterpret_cast<FourIndices>(other < stretch.begin));
-    // One by one, too, where what is written would reach into another stretch.
-    if (before != 0 || t == stretch.begin || stretch.triangles_end - stretch.next_triangle < 4)
-        [[unlikely]] {
+    // One by one where there is no facet to take for any, or what is written would reach into
+    // another stretch.
+    if (t == stretch.begin || stretch.triangles_end - stretch.next_triangle < 4) [[unlikely]] {
       sweep(all, stretch, t, t + 1);
       continue;
     }
-    const auto is_swept = reinterpret_cast<FourIndices>(other < t);
+    const auto is_before = reinterpret_cast<FourIndices>(other < stretch.begin);
+    const auto is_swept = reinterpret_cast<FourIndices>(other < t) & ~is_before;
+    const unsigned before = hull::first_bits(is_before);
     const unsigned swept = hull::first_bits(is_swept);
-    const unsigned unswept = 15 ^ swept;
+    const unsigned unswept = 15 ^ swept ^ before;
+    for (unsigned left = before; left != 0; left &= left - 1) {
+      stretch.joints.push_back(4 * t + static_cast<std::uint32_t>(std::countr_zero(left)));
+    }
     const FourIndices facets = is_swept ? across : FourIndices{} + 4 * stretch.begin;  // any
     FourIndices taken{};
     for (std::size_t i = 0; i < 4; ++i) taken[i] = raw(triangle_at[facets[i]]);
     const FourIndices made =
         stretch.next_triangle + hull::four_of(kFacetSets.before[unswept].data());
-    const FourIndices triangles = is_swept ? taken : made;
+    const FourIndices triangles = (is_swept ? taken : made) | is_before;  // kNoTriangle
     std::memcpy(&all.triangles_of[t], &triangles, sizeof triangles);
     const FourIndices mine = 4 * t + hull::four_of(kFacetSets.lanes[unswept].data());
     std::memcpy(&all.facet_of[stretch.next_triangle], &mine, sizeof mine);

@@ -4,9 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "kernel/parallel.h"
 #include "tests/support/point_sets.h"
 
 namespace tetsculpt {
@@ -62,6 +65,37 @@ TEST_CASE("the same classes as relabelling by hand") {
         wrong += (sets.find(i) == sets.find(j)) != (label[i] == label[j]);
       }
     }
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("several threads at once make the classes that one makes") {
+  constexpr std::size_t kItems = 20000;
+  constexpr std::size_t kThreads = 4;
+  for (const std::size_t reach : {3u, 100u, 20000u}) {  // few sets, or one that all threads change
+    CAPTURE(reach);
+    point_sets::Random random(reach);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(kItems);
+    for (auto& [a, b] : pairs) {
+      a = static_cast<std::uint32_t>(random.below(kItems));
+      b = static_cast<std::uint32_t>((a + random.below(reach)) % kItems);
+    }
+    DisjointSets one(kItems);
+    std::size_t united = 0;
+    for (const auto& [a, b] : pairs) united += one.unite(a, b);
+    DisjointSets many(kItems);
+    std::atomic<std::size_t> united_by_many = 0;
+    parallel_each(kThreads, [&](std::size_t thread) {
+      for (std::size_t k = thread; k < pairs.size(); k += kThreads) {
+        united_by_many += many.unite_concurrently(pairs[k].first, pairs[k].second);
+      }
+    });
+    CHECK(united_by_many == united);
+    std::size_t wrong = 0;
+    for (std::size_t x = 0; x < kItems; ++x) wrong += many.find(x) != one.find(x);
+    CHECK(wrong == 0);
+    const auto parents = std::move(many).take_parents();
+    for (std::uint32_t x = 0; x < kItems; ++x) wrong += parents[x] > x;
     CHECK(wrong == 0);
   }
 }
