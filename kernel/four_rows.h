@@ -113,12 +113,10 @@ TETSCULPT_FOUR_LANES inline unsigned pattern(const Comparison& lanes) {
   return first_bits(reinterpret_cast<Four>(lanes));
 }
 
-/// Facets::height, of four facets. What is found with it waits for it, step by step: added up in as
-/// few cycles as can be.
-TETSCULPT_FOUR_LANES inline void four_heights(const Facet& a, const Facet& b, const Facet& c,
-                                              const Facet& d, const FourRows& q, Four& value,
+/// Facets::height, of four facets, of which w is the offset. What is found with it waits for it,
+/// step by step: added up in as few cycles as can be.
+TETSCULPT_FOUR_LANES inline void four_heights(const FourRows& n, const FourRows& q, Four& value,
                                               Four& error) {
-  const FourRows n = rows(a, b, c, d);  // w: the offset
   value = fused(n.x, q.x, n.w) + fused(n.y, q.y, -q.w) + n.z * q.z;
   error = reinterpret_cast<Four>(reinterpret_cast<FourBits>(n.w) << 52);
 }

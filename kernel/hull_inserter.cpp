@@ -36,7 +36,7 @@ void Inserter::take_over(Inserter& other) {
   other.rooms_.clear();
 }
 
-void Inserter::move_to(const SiteRange& range, const SiteSet& sites) noexcept {
+void Inserter::move_to(const Range& range, const SiteSet& sites) noexcept {
   own_ = range;
   last_ = kNone;
   beyond_.clear();
@@ -44,15 +44,15 @@ void Inserter::move_to(const SiteRange& range, const SiteSet& sites) noexcept {
   const auto groups = static_cast<Site>(known_.size());
   Site next = 0;  // groups before this one are done
   for (Site block = 0; block < sites.block_count(); ++block) {
-    if (sites.count_in(block) == 0 || !own_.contains(block * kBlock)) continue;
+    if (sites.count_in(block) == 0 || !own_.sites().contains(block * kBlock)) continue;
     const Site first = block * (kBlock / kGroup);
     const Site end = std::min(first + kBlock / kGroup, groups);
     for (next = std::max(next, first - std::min(first, kBack)); next < end; ++next) {
       const Site ahead = std::min(next + kAhead, groups - 1);
-      if (own_.contains(ahead * kGroup) && known_[ahead] != kNone) {
+      if (own_.sites().contains(ahead * kGroup) && known_[ahead] != kNone) {
         facets_.prefetch(known_[ahead] & ~kBarred);  // it lies anywhere in memory
       }
-      if (!own_.contains(next * kGroup) || known_[next] == kNone) continue;
+      if (!own_.sites().contains(next * kGroup) || known_[next] == kNone) continue;
       const FacetIndex f = known_[next] & ~kBarred;
       known_[next] = !in_group(f, next) ? kNone : own(f) ? f : f | kBarred;
       if (last_ == kNone && known_[next] < kBarred) last_ = f;
@@ -64,7 +64,13 @@ void Inserter::begin_at_last_of(const Inserter& helper) {
   if (helper.last_ != kNone) last_ = helper.last_;
 }
 
-bool Inserter::own(FacetIndex f) const { return own_.contains(facets_.corners(f)); }
+bool Inserter::own(FacetIndex f) const { return own_.owns(facets_[f]); }
+
+/// Not if it has a neighbour that is another's, where facets go by their centers.
+bool Inserter::replaceable(FacetIndex f) const {
+  const auto owns = [&](Ridge r) { return own(facet_of(r)); };
+  return own(f) && (!own_.centers() || std::ranges::all_of(facets_.neighbors(f), owns));
+}
 
 /// Whether it lives and is at a site of that group.
 bool Inserter::in_group(FacetIndex f, Site group) const {
@@ -97,7 +103,7 @@ Inserter::Tally Inserter::insert_all(SiteSet& sites,
     return true;
   };
   for (Site block = 0; block < sites.block_count(); ++block) {
-    if (own_.contains(block * kBlock) && !sites.each_in(block, attempt)) break;
+    if (own_.sites().contains(block * kBlock) && !sites.each_in(block, attempt)) break;
   }
   mark_free();
   return tally;
@@ -121,8 +127,9 @@ bool Inserter::sees_beyond(Site q) {
 /// After a region that began at `seen` has left the range, or found no room.
 void Inserter::remember_beyond(FacetIndex seen) {
   constexpr std::size_t kMost = 8;
+  if (!own(seen)) beyond_.push_back(seen);
   for (const Ridge r : region_.visible) {
-    if (!own(facet_of(r))) beyond_.push_back(facet_of(r));
+    if (!replaceable(facet_of(r))) beyond_.push_back(facet_of(r));
   }
   if (beyond_.size() > kMost) {
     beyond_.erase(beyond_.begin(), beyond_.end() - kMost);

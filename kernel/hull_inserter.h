@@ -7,6 +7,7 @@
 
 #include "kernel/hull_cone.h"
 #include "kernel/hull_facets.h"
+#include "kernel/hull_range.h"
 #include "kernel/hull_region.h"
 #include "kernel/hull_sites.h"
 #include "kernel/point.h"
@@ -24,6 +25,12 @@ inline constexpr Site kGroup = 8;
 /// and the corners of facets behind neighbours. A facet with three corners that are its own or at
 /// infinity is out of all others' reach, because they would need three, too, and there is one at
 /// infinity only; so is one with two corners that are its own and none at infinity.
+///     By centers, one replaces only facets in its box whose neighbours are all there, too, and
+///     marks
+/// and links no others. So neighbours in two boxes stay as they are, but for links to third ones,
+/// and one may read what it does of a neighbour of its own facets. Of the facets it puts up some
+/// may be outside of its box, even in another's: who is there can't reach them, because only links
+/// to them lead there, and no link of a facet in that box was changed.
 class alignas(64) Inserter {  // two threads' don't share a cache line
  public:
   /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes(). `known`, if
@@ -44,7 +51,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   /// Gives a helper the range in which it will insert these. Of the facets that are known near them
   /// it keeps those that live, and bars those that are not its own. All helpers may do so at a
   /// time, while none inserts.
-  void move_to(const SiteRange& range, const SiteSet& sites) noexcept;
+  void move_to(const Range& range, const SiteSet& sites) noexcept;
   /// Begins the next walk where a helper would, if it knows where. Must come before helpers move:
   /// then what was there before may go.
   void begin_at_last_of(const Inserter& helper);
@@ -68,6 +75,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   static constexpr FacetIndex kBarred = FacetIndex{1} << 31;
 
   bool own(FacetIndex f) const;
+  bool replaceable(FacetIndex f) const;
   bool in_group(FacetIndex f, Site group) const;
   // See hull_locate.cpp.
   FacetIndex locate(Site q);
@@ -85,7 +93,7 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   std::span<const Point3> points_;
   Facets& facets_;
   bool by_four_;  ///< see kernel/hull_lanes and kernel/hull_cone_lanes
-  SiteRange own_;
+  Range own_;
   /// Lives, but not while helpers insert, and its corners are in the range; kNone if there is none.
   FacetIndex last_ = 0;
   std::vector<Ridge> free_;       ///< of facets that died or were never used; the last are next

@@ -2,6 +2,7 @@
 // functions for AVX2 are told to use it, and only where has_four_lanes() are they called.
 #include "kernel/hull_lanes.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -43,11 +44,24 @@ constexpr auto kBytes = [] {
   return table;
 }();
 
-/// With all sites in the range, or not.
-template <bool kAll>
+/// Whether a box contains four facets.
+TETSCULPT_FOUR_LANES inline bool contains_four(const CenterBox& box, const FourRows& normals) {
+  auto inside = ~FourLongs{};
+  for (std::size_t i = 0; i < CenterBox::kAxes; ++i) {
+    const auto& [sign_y, sign_z] = box.signs(i);
+    const Four at = normals.x + sign_y * normals.y + sign_z * normals.z;
+    inside &= (at >= box.low(i)) & (at < box.high(i));
+  }
+  return pattern(inside) == 15;
+}
+
+/// How it is decided what is within a range.
+enum class By { kNothing, kCorners, kCenters };
+
+template <By kBy>
 TETSCULPT_FOUR_LANES bool expand_four(Facets& facets, const LiftedDifference& point,
-                                      const SiteRange& range, std::size_t begin, Region& region) {
-  const SiteRange own = range;  // nothing that is written could be part of it
+                                      const Range& range, std::size_t begin, Region& region) {
+  const SiteRange own = range.sites();  // nothing that is written could be part of it
   const FourRows queries = four_times(point);
   const auto number = [](Mark mark) { return static_cast<unsigned>(mark); };
   Mark* const marks = &facets.mark(0);
@@ -62,16 +76,18 @@ TETSCULPT_FOUR_LANES bool expand_four(Facets& facets, const LiftedDifference& po
     Ridge* const cut = region.cut.room_for(cut_size + 4 * (most - k) + 4);
     for (; k < visible_size && visible_size <= most; ++k) {
       const FacetLinks& links = facet[facet_of(visible[k])].links;
-      if (!kAll && !own.contains(links.corners[corner_of(visible[k])])) {
+      const auto& [a, b, c, d] = links.neighbors;
+      const FourRows normals =
+          rows(facet[facet_of(a)], facet[facet_of(b)], facet[facet_of(c)], facet[facet_of(d)]);
+      if ((kBy == By::kCorners && !own.contains(links.corners[corner_of(visible[k])])) ||
+          (kBy == By::kCenters && !contains_four(*range.centers(), normals))) {
         region.visible.hold(visible_size);
         region.unclear.hold(unclear_size);
         return false;
       }
-      const auto& [a, b, c, d] = links.neighbors;
       Four value;
       Four error;
-      four_heights(facet[facet_of(a)], facet[facet_of(b)], facet[facet_of(c)], facet[facet_of(d)],
-                   queries, value, error);
+      four_heights(normals, queries, value, error);
       Mark& mark_a = marks[facet_of(a)];
       Mark& mark_b = marks[facet_of(b)];
       Mark& mark_c = marks[facet_of(c)];
@@ -112,7 +128,7 @@ bool has_four_lanes() {
 #endif
 }
 
-bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
+bool expand(Facets& facets, const LiftedDifference& point, const Range& own, std::size_t begin,
             Region& region) {
   std::size_t visible_size = region.visible.size();
   std::size_t unclear_size = region.unclear.size();
@@ -121,7 +137,11 @@ bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own,
     region.visible.hold(visible_size);
     const Ridge met = region.visible[k];
     const FacetIndex f = facet_of(met);
-    if (!own.contains(facets.corners(f)[corner_of(met)])) return false;
+    const auto owns = [&](Ridge r) { return own.owns(facets[facet_of(r)]); };
+    if (own.centers() ? !std::ranges::all_of(facets.neighbors(f), owns)
+                      : !own.owns_behind(facets[f], corner_of(met))) {
+      return false;
+    }
     Ridge* const visible = region.visible.room_for(visible_size + 4);
     Ridge* const unclear = region.unclear.room_for(unclear_size + 4);
     Ridge* const cut = region.cut.room_for(cut_size + 4);
@@ -143,14 +163,16 @@ bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own,
   return true;
 }
 
-bool expand_by_four(Facets& facets, const LiftedDifference& point, const SiteRange& own,
+bool expand_by_four(Facets& facets, const LiftedDifference& point, const Range& own,
                     std::size_t begin, Region& region) {
-  const auto work = own.all() ? expand_four<true> : expand_four<false>;
+  const auto work = own.centers() ? expand_four<By::kCenters>
+                    : own.all()   ? expand_four<By::kNothing>
+                                  : expand_four<By::kCorners>;
   return work(facets, point, own, begin, region);
 }
 
 TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
-                                           const LiftedDifference& q, const SiteRange& own) {
+                                           const LiftedDifference& q, const Range& own) {
   const FourRows queries = four_times(q);
   const Facet* const facet = &facets[0];
   const bool all_own = own.all();
@@ -159,8 +181,9 @@ TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
     const auto& ridges = facet[f].links.neighbors;
     Four value;
     Four error;
-    four_heights(facet[facet_of(ridges[0])], facet[facet_of(ridges[1])], facet[facet_of(ridges[2])],
-                 facet[facet_of(ridges[3])], queries, value, error);
+    four_heights(rows(facet[facet_of(ridges[0])], facet[facet_of(ridges[1])],
+                      facet[facet_of(ridges[2])], facet[facet_of(ridges[3])]),
+                 queries, value, error);
     const Four of_two = greater(value, __builtin_shufflevector(value, value, 1, 0, 3, 2));
     const Four of_four = greater(of_two, __builtin_shufflevector(of_two, of_two, 2, 3, 0, 1));
     const unsigned highest = pattern(value == of_four);
@@ -174,7 +197,7 @@ TETSCULPT_FOUR_LANES Nearer nearer_by_four(const Facets& facets, FacetIndex f,
     const FacetIndex g = facet_of(r);
     if (visible != 0) return {g, true};
     if (facet[g].links.infinite()) return {f, false};
-    if (!all_own && !own.contains(facet[g].links.corners[corner_of(r)])) return {f, false};
+    if (!all_own && !own.owns_behind(facet[g], corner_of(r))) return {f, false};
     f = g;
     height = of_four;
   }

@@ -18,11 +18,12 @@ namespace tetsculpt::hull {
 /// neighbours that a point, lifted from the middle, sees clearly become visible, unclear ones are
 /// listed, both once; ridges to those that are clearly hidden are cut. Marks what is visible or
 /// unclear. False, and an unfinished region, at a facet that is not within the range: the first one
-/// must be, of others the corner behind the ridge through which they were met decides.
-bool expand(Facets& facets, const LiftedDifference& point, const SiteRange& own, std::size_t begin,
+/// must be, of others the corner behind the ridge through which they were met decides. By centers,
+/// all neighbours must be, too, and nothing that is not is marked.
+bool expand(Facets& facets, const LiftedDifference& point, const Range& own, std::size_t begin,
             Region& region);
 /// A facet is tested once from each visible neighbour, which takes less than to keep track.
-bool expand_by_four(Facets& facets, const LiftedDifference& point, const SiteRange& own,
+bool expand_by_four(Facets& facets, const LiftedDifference& point, const Range& own,
                     std::size_t begin, Region& region);
 
 /// Where a walk went, and whether q clearly sees that facet.
@@ -35,6 +36,6 @@ struct Nearer {
 /// range, or to a finite one where the next would not be higher, or infinite, or not within the
 /// range.
 Nearer nearer_by_four(const Facets& facets, FacetIndex f, const LiftedDifference& q,
-                      const SiteRange& own);
+                      const Range& own);
 
 }  // namespace tetsculpt::hull

@@ -25,7 +25,7 @@ void decide(const Facets& facets, Site apex, std::size_t& hidden, Region& region
 
 /// Cuts off the facets that turned out to be hidden. Of their neighbours, those that are not within
 /// the range may be marked by others.
-void cut_off_unclear(Facets& facets, const SiteRange& own, Region& region) {
+void cut_off_unclear(Facets& facets, const Range& own, Region& region) {
   for (const Ridge r : region.visible) facets.mark(facet_of(r)) = Mark::kVisible;
   const std::size_t most = region.cut.size() + 4 * region.unclear.size();
   std::size_t size = region.cut.size();
@@ -33,7 +33,7 @@ void cut_off_unclear(Facets& facets, const SiteRange& own, Region& region) {
   for (const Ridge hidden : region.unclear) {
     for (const Ridge r : facets.neighbors(facet_of(hidden))) {
       const FacetIndex f = facet_of(r);
-      if (!own.contains(facets.corners(f))) continue;
+      if (!own.owns(facets[f])) continue;
       cut[size] = r;
       size += facets.mark(f) == Mark::kVisible;
     }
@@ -48,15 +48,18 @@ void Region::unmark(Facets& facets) {
   for (const Ridge r : unclear) facets.mark(facet_of(r)) = Mark::kUnmet;
 }
 
-bool grow_region(Facets& facets, Site apex, FacetIndex seen, const SiteRange& own, bool by_four,
+bool grow_region(Facets& facets, Site apex, FacetIndex seen, const Range& own, bool by_four,
                  Region& region) {
   const LiftedDifference point = facets.lifted(facets.point(apex));
   region.visible.room_for(1)[0] = ridge(seen, 0);
   region.visible.hold(1);
   region.unclear.hold(0);
   region.cut.hold(0);
+  if (!own.owns(facets[seen])) {
+    region.visible.hold(0);  // nor may it be marked
+    return false;
+  }
   facets.mark(seen) = Mark::kVisible;
-  if (!own.contains(facets.corners(seen))) return false;
   const auto expand = by_four ? expand_by_four : hull::expand;
   std::size_t hidden = 0;
   for (std::size_t begin = 0;;) {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "kernel/hull_facets.h"
-#include "kernel/hull_sites.h"
+#include "kernel/hull_range.h"
 #include "kernel/large_block.h"
 
 /// The part of a hull that a point sees. Internal to kernel/lifted_hull.
@@ -51,7 +51,7 @@ struct Region {
 /// Fills the region of an apex, from a facet that it sees, and leaves marks on what is visible or
 /// unclear. False, and an unfinished region, if it leaves the range. `by_four` only where
 /// has_four_lanes().
-bool grow_region(Facets& facets, Site apex, FacetIndex seen, const SiteRange& own, bool by_four,
+bool grow_region(Facets& facets, Site apex, FacetIndex seen, const Range& own, bool by_four,
                  Region& region);
 
 }  // namespace tetsculpt::hull

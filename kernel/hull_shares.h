@@ -33,17 +33,25 @@ class Shares {
  private:
   static constexpr std::size_t kAxes = 3;
 
+  using Position = std::array<double, kAxes>;
+
   bool worth_sharing(std::size_t count) const;
   bool failing_from(std::size_t pass) const;
-  Inserter::Tally pass(SiteSet& sites, std::size_t left, std::size_t turn, const Told& told);
+  std::size_t pass_by_corners(SiteSet& sites, std::size_t left, const Told& told);
+  std::size_t pass_by_centers(SiteSet& sites, std::size_t left, const Told& told);
+  /// How a thread's part of space is its range.
+  using RangeOf = std::function<Range(const SiteRange&, const Position& low, const Position& high)>;
+  Inserter::Tally pass(SiteSet& sites, std::size_t left, std::size_t turn,
+                       const std::vector<Position>& at, const RangeOf& range_of, const Told& told);
 
-  std::vector<std::array<double, kAxes>> at_;  ///< a point of each block
+  std::vector<Position> at_;  ///< a point of each block
   Facets& facets_;
   Inserter& inserter_;
   std::array<std::size_t, kAxes> axes_{0, 1, 2};  ///< along the longest side of all sites first
   std::vector<Inserter> helpers_;                 ///< one per thread
   std::vector<std::vector<std::uint8_t>> own_;    ///< per thread and block, see SiteRange
   std::array<bool, kAxes> failing_{};             ///< whether little went in in a pass, last time
+  bool centers_failing_ = false;                  ///< the same of passes by centers
 };
 
 }  // namespace tetsculpt::hull

@@ -16,6 +16,7 @@ foreach(
   double_double_test
   predicates_symmetry_test
   hull_bucket_test
+  hull_centers_test
   hull_cone_lanes_test
   hull_cone_test
   hull_facets_height_test
