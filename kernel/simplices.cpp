@@ -6,9 +6,9 @@
 // done before, takes a quarter to a half longer for the whole complex.
 //
 // Each thread does so with a stretch of the tetrahedra. Across the cuts edges are found to be one
-// in the same way; the first id is kept, so that all come out numbered as one thread numbers them.
-// Only what joins the cuts is one thread's work: 1 to 4 % of all with two threads, 6 to 10 % with
-// sixteen.
+// in the same way, by all threads at once; the first id is kept, so that all come out numbered as
+// one thread numbers them. With joints on one thread and halves fixed, two threads took 1.1 times
+// as long on a bumpy sphere, which has half a million facets in a cut.
 #include "kernel/simplices.h"
 
 #include <algorithm>
