@@ -16,7 +16,8 @@
 namespace tetsculpt::hull {
 
 /// Each thread inserts the sites of a range of its own, as far as it needs no facet that is
-/// another's: by the facets' corners first, then by their centers. Which ones go in depends on how fast threads are; the hull of them all does not.
+/// another's: by the facets' corners first, then by their centers. Which ones go in depends on how
+/// fast threads are; the hull of them all does not.
 class Shares {
  public:
   /// Told how many sites were taken, in or not, at least; on the caller's thread. May throw: that

