@@ -26,11 +26,12 @@ inline constexpr Site kGroup = 8;
 /// infinity is out of all others' reach, because they would need three, too, and there is one at
 /// infinity only; so is one with two corners that are its own and none at infinity.
 ///     By centers, one replaces only facets in its box whose neighbours are all there, too, and
-///     marks
-/// and links no others. So neighbours in two boxes stay as they are, but for links to third ones,
-/// and one may read what it does of a neighbour of its own facets. Of the facets it puts up some
-/// may be outside of its box, even in another's: who is there can't reach them, because only links
-/// to them lead there, and no link of a facet in that box was changed.
+/// marks and links no others. So where one of two neighbours is in a box and the other is not,
+/// neither is replaced, nor the link between them changed, as long as the ranges stay. Of the
+/// facets that one puts up some may be outside of its box, even in another's: only it can reach
+/// those, because only links of its own facets and of others of the kind lead there, and they and
+/// their neighbours stay, too. What a point sees is connected: nothing that another puts up becomes
+/// part of what this one replaces, so the hull is as if one had done so after the other.
 class alignas(64) Inserter {  // two threads' don't share a cache line
  public:
   /// With all sites for its range. Facet 0 lives. `by_four` where has_four_lanes(). `known`, if
@@ -94,7 +95,8 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   Facets& facets_;
   bool by_four_;  ///< see kernel/hull_lanes and kernel/hull_cone_lanes
   Range own_;
-  /// Lives, but not while helpers insert, and its corners are in the range; kNone if there is none.
+  /// Lives, but not while helpers insert, and is in the range or was put up by this one; kNone if
+  /// there is none.
   FacetIndex last_ = 0;
   std::vector<Ridge> free_;       ///< of facets that died or were never used; the last are next
   std::size_t marked_free_ = 0;   ///< so many, the first, are marked as dead

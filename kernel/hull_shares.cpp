@@ -170,7 +170,7 @@ void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
   std::size_t left = all;
   const Told told_in_pass = [&](std::size_t now) { told(all - left + now); };
   left = pass_by_corners(sites, all, told);
-  if (!centers_failing_) left = pass_by_centers(sites, left, told_in_pass);
+  left = pass_by_centers(sites, left, told_in_pass);
   for (Inserter& helper : helpers_) inserter_.take_over(helper);
   inserter_.insert_all(sites, [&](std::size_t k) {
     if (k % kTellEvery == 0) told(all - left + k);
@@ -216,11 +216,10 @@ std::size_t Shares::pass_by_centers(SiteSet& sites, std::size_t left, const Told
                                    const Position& high) {
       return Range(own, CenterBox(k, low, high));
     };
-    const auto [tried, inserted] =
-        pass(sites, left, 0, at, by_centers, [&](std::size_t now) { told(all - left + now); });
+    const auto told_in_pass = [&](std::size_t now) { told(all - left + now); };
+    const std::size_t inserted = pass(sites, left, 0, at, by_centers, told_in_pass).inserted;
+    failing = inserted <= left / 8 ? failing + 1 : 0;  // also where a thread has nothing to do
     left -= inserted;
-    failing = inserted <= tried / 4 ? failing + 1 : 0;
-    centers_failing_ = failing > k;
   }
   return left;
 }

@@ -52,7 +52,6 @@ class Shares {
   std::vector<Inserter> helpers_;                 ///< one per thread
   std::vector<std::vector<std::uint8_t>> own_;    ///< per thread and block, see SiteRange
   std::array<bool, kAxes> failing_{};             ///< whether little went in in a pass, last time
-  bool centers_failing_ = false;                  ///< the same of passes by centers
 };
 
 }  // namespace tetsculpt::hull
