@@ -76,15 +76,19 @@ TETSCULPT_FOUR_LANES bool expand_four(Facets& facets, const LiftedDifference& po
     Ridge* const cut = region.cut.room_for(cut_size + 4 * (most - k) + 4);
     for (; k < visible_size && visible_size <= most; ++k) {
       const FacetLinks& links = facet[facet_of(visible[k])].links;
-      const auto& [a, b, c, d] = links.neighbors;
-      const FourRows normals =
-          rows(facet[facet_of(a)], facet[facet_of(b)], facet[facet_of(c)], facet[facet_of(d)]);
-      if ((kBy == By::kCorners && !own.contains(links.corners[corner_of(visible[k])])) ||
-          (kBy == By::kCenters && !contains_four(*range.centers(), normals))) {
+      const auto leave = [&] {
         region.visible.hold(visible_size);
         region.unclear.hold(unclear_size);
         return false;
+      };
+      // Before its links are read, which others may change.
+      if (kBy == By::kCorners && !own.contains(links.corners[corner_of(visible[k])])) {
+        return leave();
       }
+      const auto& [a, b, c, d] = links.neighbors;
+      const FourRows normals =
+          rows(facet[facet_of(a)], facet[facet_of(b)], facet[facet_of(c)], facet[facet_of(d)]);
+      if (kBy == By::kCenters && !contains_four(*range.centers(), normals)) return leave();
       Four value;
       Four error;
       four_heights(normals, queries, value, error);

@@ -20,8 +20,8 @@ FacetIndex Inserter::locate(Site q) {
   const Site group = q / kGroup;
   const Site end = group - std::min(group, kBack);
   for (Site g = group + 1; found == kNone && tries > 0 && g-- > end;) {
-    if (!own_.sites().contains(g * kGroup) || known_[g] >= kBarred || !in_group(known_[g], g))
-      continue;
+    if (!own_.sites().contains(g * kGroup)) continue;
+    if (known_[g] >= kBarred || !in_group(known_[g], g)) continue;
     found = walk(q, known_[g]);
     --tries;
   }

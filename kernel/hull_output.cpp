@@ -99,15 +99,11 @@ class Output {
 
   /// Cuts the buckets into shares of about as much.
   void share_buckets() {
-    constexpr int kPerThread = 16;
-    const int threads = static_cast<int>(worth_threads(count_, threads_));
-    const std::size_t parts = worth_threads(count_, kPerThread * threads);
-    cuts_.assign(1, 0);
-    for (std::size_t part = 1; part < parts; ++part) {
-      const auto cut = std::ranges::lower_bound(end_, count_ * part / parts);
-      cuts_.push_back(static_cast<std::size_t>(cut - end_.begin()));
+    cuts_ = share_cuts(count_, threads_);
+    for (std::size_t& cut : cuts_) {
+      cut = static_cast<std::size_t>(std::ranges::lower_bound(end_, cut) - end_.begin());
     }
-    cuts_.push_back(bucket_count_);
+    cuts_.back() = bucket_count_;
   }
   /// Calls work(begin, end) on each share.
   template <class Work>

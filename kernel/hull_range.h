@@ -11,27 +11,28 @@
 /// Which facets are whose. Internal to kernel/lifted_hull.
 namespace tetsculpt::hull {
 
+/// A point's coordinates, or where it is along three diagonals of space.
+using Position = std::array<double, 3>;
+
 /// A part of space, by where facets' spheres have their centers: a box along three of the four
-/// diagonals of space. Each facet is in one of several that share out space, or in none. No medial
-/// axis that is made of lines, as that of a tube, is along a face of one.
+/// diagonals of space. Each facet is in one of several that share out space, or in none.
 class CenterBox {
  public:
   static constexpr std::size_t kAxes = 3;
   /// The first of three diagonals is one of so many.
   static constexpr std::size_t kDiagonals = 4;
-  using Place = std::array<double, kAxes>;
 
   /// From a low corner on and below a high one, see place().
-  CenterBox(std::size_t first_diagonal, const Place& low, const Place& high)
+  CenterBox(std::size_t first_diagonal, const Position& low, const Position& high)
       : first_(first_diagonal), low_(low), high_(high) {}
 
   /// Where a point is that comes as its difference from the middle of the set.
-  static Place place(std::size_t first_diagonal, const LiftedDifference& q) {
+  static Position place(std::size_t first_diagonal, const LiftedDifference& q) {
     return along(first_diagonal, 2 * q.x, 2 * q.y, 2 * q.z);
   }
   /// A facet's normal is twice its center, or beyond all points if it is infinite.
   bool contains(const Facet& f) const {
-    const Place at = along(first_, f.nx, f.ny, f.nz);
+    const Position at = along(first_, f.nx, f.ny, f.nz);
     bool inside = true;
     for (std::size_t i = 0; i < kAxes; ++i) inside &= low_[i] <= at[i] && at[i] < high_[i];
     return inside;
@@ -48,8 +49,8 @@ class CenterBox {
         {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
     return kSigns[(first + axis) % kDiagonals];
   }
-  static Place along(std::size_t first, double x, double y, double z) {
-    Place place{};
+  static Position along(std::size_t first, double x, double y, double z) {
+    Position place{};
     for (std::size_t i = 0; i < kAxes; ++i) {
       const auto& [sign_y, sign_z] = diagonal(first, i);
       place[i] = x + sign_y * y + sign_z * z;
@@ -58,8 +59,8 @@ class CenterBox {
   }
 
   std::size_t first_;
-  Place low_;
-  Place high_;
+  Position low_;
+  Position high_;
 };
 
 /// The facets that one thread may replace, and the sites it inserts. Facets are those all of whose

@@ -19,15 +19,13 @@
 // first those of one colour, then the others, each thread owning what is nearest to its own (0.4 %
 // of a cube's points wait and 4.5 % of a bumpy sphere's, but threads wait for each other twice as
 // often: 1.01 and 1.02); threads that go on unless 16,384 or 65,536 sites are left for others.
-//     What passes by corners leave goes in by the centers of facets' spheres, cut across diagonals:
-//     a
-// torus has one medial axis around the tube and one in the hole, and no plane along an axis leaves
-// both on one side or cuts both in a few points, but two diagonals leave 0.5 % of all its points. A
-// million points of a torus: 340,000 were left to one thread, now some 10,000; two threads took
-// 0.85 of one's time for the whole complex, now 0.64. Not more, because points that went in on one
-// side while the other waited make large cavities. Instead of corners from the start: 4 % of a
-// cube's points wait and 20 % of a bumpy sphere's, a torus takes as long. Points in portions of a
-// quarter or an eighth: no faster.
+//     What passes by corners leave goes in by the centers of facets' spheres, cut across diagonals.
+// A torus has one medial axis around the tube and one through the hole: a cut across a diagonal
+// meets each in a few points, and two such cuts leave 0.5 % of all its points. A million points of
+// a torus: 340,000 were left to one thread, now some 10,000; two threads took 0.85 of one's time
+// for the whole complex, now 0.64. Not less, because points that go in on one side while the other
+// waits make large cavities. By centers from the start: 4 % of a cube's points wait and 20 % of a
+// bumpy sphere's, a torus takes as long. Points in portions of a quarter or an eighth: no faster.
 //     What is left comes last, on one thread, and a point takes three times as long there: its
 // neighbourhood is in no cache. A thousand points per thread are worth another pass.
 #include "kernel/hull_shares.h"
@@ -61,8 +59,6 @@ struct SetAtEnd {
   std::atomic<bool>& flag;
   ~SetAtEnd() { flag = true; }
 };
-
-using Position = std::array<double, 3>;
 
 /// A point of a block, and how many sites are left in that.
 struct Sample {
@@ -168,12 +164,12 @@ void Shares::insert(SiteSet& sites, std::size_t threads, const Told& told) {
   helpers_[0].take_over(inserter_);
   const std::size_t all = sites.count();
   std::size_t left = all;
-  const Told told_in_pass = [&](std::size_t now) { told(all - left + now); };
-  left = pass_by_corners(sites, all, told);
-  left = pass_by_centers(sites, left, told_in_pass);
+  const Told told_further = [&](std::size_t now) { told(all - left + now); };
+  left = pass_by_corners(sites, left, told_further);
+  left = pass_by_centers(sites, left, told_further);
   for (Inserter& helper : helpers_) inserter_.take_over(helper);
   inserter_.insert_all(sites, [&](std::size_t k) {
-    if (k % kTellEvery == 0) told(all - left + k);
+    if (k % kTellEvery == 0) told_further(k);
     return true;
   });
   assert(sites.count() == 0);

@@ -9,6 +9,7 @@
 
 #include "kernel/hull_facets.h"
 #include "kernel/hull_inserter.h"
+#include "kernel/hull_range.h"
 #include "kernel/hull_sites.h"
 #include "kernel/point.h"
 
@@ -33,8 +34,6 @@ class Shares {
 
  private:
   static constexpr std::size_t kAxes = 3;
-
-  using Position = std::array<double, kAxes>;
 
   bool worth_sharing(std::size_t count) const;
   bool failing_from(std::size_t pass) const;
