@@ -34,6 +34,9 @@ inline constexpr std::size_t kLargeArrayOffset = 64;
 /// std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
+/// Memory for at least `bytes` bytes, more than before, with the first `used` as they are. Frees
+/// what they were in. Throws std::bad_alloc, and nothing has changed.
+void* grow_large(void* memory, std::size_t used, std::size_t bytes);
 /// Frees all but the first `bytes` bytes, where the system can do that.
 void shrink_large(void* memory, std::size_t bytes) noexcept;
 /// [begin, end) of large memory is about to be used for the first time: in small pages, if the

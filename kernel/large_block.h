@@ -51,6 +51,11 @@ class LargeBlock {
 
   /// Moves the first `used` elements to a block with more room.
   void grow(std::size_t used, std::size_t capacity) {
+    if (large_) {
+      data_ = static_cast<T*>(grow_large(data_, used * sizeof(T), capacity * sizeof(T)));
+      capacity_ = capacity;
+      return;
+    }
     LargeBlock larger(capacity);
     if (used > 0) std::memcpy(larger.data_, data_, used * sizeof(T));
     *this = std::move(larger);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tetsculpt {
@@ -64,10 +65,45 @@ TEST_CASE("few elements, and so many that threads share them") {
 
 TEST_CASE("growing keeps what is used") {
   LargeBlock<Whole> block(10);
-  for (std::size_t k = 0; k < 10; ++k) block[k] = whole(k);
-  block.grow(10, 100000);
-  REQUIRE(block.capacity() == 100000);
-  for (std::size_t k = 0; k < 10; ++k) CHECK(block[k].part.b == whole(k).part.b);
+  std::size_t used = 10;
+  for (std::size_t k = 0; k < used; ++k) block[k] = whole(k);
+  for (const std::size_t capacity :
+       {1'000u, 100'000u, 150'000u, 700'000u}) {  // large from the second
+    CAPTURE(capacity);
+    block.grow(used, capacity);
+    REQUIRE(block.capacity() == capacity);
+    CHECK(reinterpret_cast<std::uintptr_t>(block.data()) % 64 == 0);
+    for (; used < capacity; ++used) block[used] = whole(used);
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < used; ++k) wrong += block[k].part.b != whole(k).part.b;
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("a block that grows may be a part of memory that is kept, and others' next to it") {
+  constexpr std::size_t kPage = kLargePageBytes / sizeof(std::uint64_t);
+  const LargeArrayReuse reuse;
+  { const LargeBlock<std::uint64_t> all(20 * kPage); }  // its memory is shared out
+  std::vector<LargeBlock<std::uint64_t>> blocks;
+  std::vector<std::size_t> sizes;
+  const auto fill = [&](std::size_t b, std::size_t begin) {
+    for (std::size_t k = begin; k < sizes[b]; ++k) blocks[b][k] = 1000 * k + b;
+  };
+  for (std::size_t b = 0; b < 4; ++b) {
+    sizes.push_back((b + 1) * kPage);
+    blocks.emplace_back(sizes[b]);
+    fill(b, 0);
+  }
+  for (const std::size_t b : {1u, 0u, 3u, 1u, 2u, 0u}) {
+    const std::size_t before = std::exchange(sizes[b], 3 * sizes[b]);
+    blocks[b].grow(before, sizes[b]);
+    fill(b, before);
+  }
+  std::size_t wrong = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::size_t k = 0; k < sizes[b]; ++k) wrong += blocks[b][k] != 1000 * k + b;
+  }
+  CHECK(wrong == 0);
 }
 
 }  // namespace
