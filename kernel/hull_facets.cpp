@@ -154,7 +154,6 @@ Facets::Facets(std::span<const Point3> sites, double unit, const Box& box)
 
 FacetRoom Facets::append(std::size_t count) {
   const std::lock_guard lock(growing_);
-  constexpr std::size_t kMost = kNone / 4;
   const std::size_t begin = size_;
   const std::size_t least = begin + count;
   if (least > kMost) throw std::length_error("more than 2^30 tetrahedra");
@@ -182,6 +181,10 @@ void Facets::unshare() {
   shared_ = false;
   if (full_) grow(3 * facets_.capacity() / 2);
   full_ = false;
+}
+
+void Facets::reserve(std::size_t count) {
+  if (count > facets_.capacity()) grow(count);
 }
 
 void Facets::grow(std::size_t capacity) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -90,12 +91,15 @@ class Facets {
   /// `unit` is a power of two of which all coordinates are multiples, or 0 if none is of use.
   Facets(std::span<const Point3> sites, double unit, int threads = 1);
 
+  static constexpr std::size_t kMost = kNone / 4;  ///< ridges are numbered, too
   std::size_t size() const { return size_; }
   /// At least so many new facets, of which nothing is set. While shared, facets may not move in
   /// memory: none if they would have to.
   FacetRoom append(std::size_t count);
   /// Must come after append(), and may come while others append.
   void touch(const FacetRoom& appended) { facets_.touch(appended.begin, appended.end); }
+  /// Makes room for so many in all; not while shared.
+  void reserve(std::size_t count);
   /// Takes back what was appended and never used.
   void give_back(std::vector<FacetRoom> rooms);
   /// Leaves no facet here; gives away the memory of their hyperplanes. See LargeBlock::reduced_to.
@@ -112,6 +116,8 @@ class Facets {
   /// Between these, several threads may append.
   void share() { shared_ = true; }
   void unshare();
+  /// Whether some thread was told, since share(), that there is no room.
+  bool full() const { return full_.load(std::memory_order_relaxed); }
 
   const Facet& operator[](FacetIndex f) const { return facets_[f]; }
   std::array<Site, 4>& corners(FacetIndex f) { return facets_[f].links.corners; }
@@ -193,7 +199,7 @@ class Facets {
   alignas(64) std::mutex growing_;
   std::size_t size_ = 0;
   bool shared_ = false;
-  bool full_ = false;  ///< some thread was told that there is no room
+  std::atomic<bool> full_ = false;
 };
 
 inline LiftedDifference lifted_difference(const Point3& q, const Point3& p) {

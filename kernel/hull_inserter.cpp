@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace tetsculpt::hull {
@@ -26,6 +27,11 @@ void Inserter::mark_free() {
 void Inserter::give_back() {
   mark_free();
   facets_.give_back(std::exchange(rooms_, {}));
+}
+
+std::size_t Inserter::unused() const {
+  const auto add = [](std::size_t sum, const FacetRoom& room) { return sum + room.size(); };
+  return std::accumulate(rooms_.begin(), rooms_.end(), free_.size(), add);
 }
 
 void Inserter::take_over(Inserter& other) {

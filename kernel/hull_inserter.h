@@ -20,11 +20,11 @@ namespace tetsculpt::hull {
 inline constexpr Site kGroup = 8;
 
 /// Inserts points into a hull. Several may work on one hull at a time if their ranges are disjoint:
-/// one replaces only facets all of whose corners are its own, and reads only those and their
-/// neighbours, which it marks and links to new ones, the finite facet behind an infinite neighbour,
-/// and the corners of facets behind neighbours. A facet with three corners that are its own or at
-/// infinity is out of all others' reach, because they would need three, too, and there is one at
-/// infinity only; so is one with two corners that are its own and none at infinity.
+/// one replaces only facets all of whose corners are its own, and reads only those, their
+/// neighbours, which it marks and links to new ones, and the finite facet behind an infinite
+/// neighbour. A facet with three corners that are its own or at infinity is out of all others'
+/// reach, because they would need three, too, and there is one at infinity only; so is one with two
+/// corners that are its own and none at infinity.
 ///     By centers, one replaces only facets in its box whose neighbours are all there, too, and
 /// marks and links no others. So where one of two neighbours is in a box and the other is not,
 /// neither is replaced, nor the link between them changed, as long as the ranges stay. Of the
@@ -44,6 +44,8 @@ class alignas(64) Inserter {  // two threads' don't share a cache line
   void mark_free();
   /// Marks them and gives back what was never used: nothing is inserted any more.
   void give_back();
+  /// How many facets it has that are not in the hull.
+  std::size_t unused() const;
   /// One that has no facets for new cones yet, see take_over(), and must move_to() a range before
   /// anything is inserted.
   Inserter helper() const { return {points_, facets_, {}, by_four_, known_}; }

@@ -48,8 +48,8 @@ constexpr auto kBytes = [] {
 TETSCULPT_FOUR_LANES inline bool contains_four(const CenterBox& box, const FourRows& normals) {
   auto inside = ~FourLongs{};
   for (std::size_t i = 0; i < CenterBox::kAxes; ++i) {
-    const auto& [sign_y, sign_z] = box.signs(i);
-    const Four at = normals.x + sign_y * normals.y + sign_z * normals.z;
+    const auto& [of_y, of_z] = box.diagonal(i);
+    const Four at = normals.x + of_y * normals.y + of_z * normals.z;
     inside &= (at >= box.low(i)) & (at < box.high(i));
   }
   return pattern(inside) == 15;

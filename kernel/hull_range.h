@@ -14,51 +14,57 @@ namespace tetsculpt::hull {
 /// A point's coordinates, or where it is along three diagonals of space.
 using Position = std::array<double, 3>;
 
-/// A part of space, by where facets' spheres have their centers: a box along three of the four
-/// diagonals of space. Each facet is in one of several that share out space, or in none.
+/// Three of the four diagonals of space: what y and z are multiplied with before they are added to
+/// x, by one at a time and by four alike.
+using Diagonals = std::array<std::array<double, 2>, 3>;
+
+/// Those of a turn. The first ones of an even turn and of the next are each other's mirror images
+/// across an axis; after four turns they come again.
+inline Diagonals diagonals(std::size_t axis, std::size_t turn) {
+  constexpr std::array<std::array<std::array<double, 2>, 4>, 3> kInOrder{
+      {{{{1, 1}, {-1, -1}, {1, -1}, {-1, 1}}},    // x
+       {{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}},    // y
+       {{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}}}};  // z
+  const auto& all = kInOrder[axis];
+  return {all[turn % 4], all[(turn + 1) % 4], all[(turn + 2) % 4]};
+}
+
+/// A part of space, by where facets' spheres have their centers: a box along three diagonals. Each
+/// facet is in one of several that share out space, or in none.
 class CenterBox {
  public:
   static constexpr std::size_t kAxes = 3;
-  /// The first of three diagonals is one of so many.
-  static constexpr std::size_t kDiagonals = 4;
 
   /// From a low corner on and below a high one, see place().
-  CenterBox(std::size_t first_diagonal, const Position& low, const Position& high)
-      : first_(first_diagonal), low_(low), high_(high) {}
+  CenterBox(const Diagonals& diagonals, const Position& low, const Position& high)
+      : diagonals_(diagonals), low_(low), high_(high) {}
 
   /// Where a point is that comes as its difference from the middle of the set.
-  static Position place(std::size_t first_diagonal, const LiftedDifference& q) {
-    return along(first_diagonal, 2 * q.x, 2 * q.y, 2 * q.z);
+  static Position place(const Diagonals& diagonals, const LiftedDifference& q) {
+    return along(diagonals, 2 * q.x, 2 * q.y, 2 * q.z);
   }
   /// A facet's normal is twice its center, or beyond all points if it is infinite.
   bool contains(const Facet& f) const {
-    const Position at = along(first_, f.nx, f.ny, f.nz);
+    const Position at = along(diagonals_, f.nx, f.ny, f.nz);
     bool inside = true;
     for (std::size_t i = 0; i < kAxes; ++i) inside &= low_[i] <= at[i] && at[i] < high_[i];
     return inside;
   }
   double low(std::size_t axis) const { return low_[axis]; }
   double high(std::size_t axis) const { return high_[axis]; }
-  /// What y and z are multiplied with before they are added to x: by one at a time and by four this
-  /// must round alike.
-  const std::array<double, 2>& signs(std::size_t axis) const { return diagonal(first_, axis); }
+  const std::array<double, 2>& diagonal(std::size_t axis) const { return diagonals_[axis]; }
 
  private:
-  static const std::array<double, 2>& diagonal(std::size_t first, std::size_t axis) {
-    static constexpr std::array<std::array<double, 2>, kDiagonals> kSigns{
-        {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
-    return kSigns[(first + axis) % kDiagonals];
-  }
-  static Position along(std::size_t first, double x, double y, double z) {
+  static Position along(const Diagonals& diagonals, double x, double y, double z) {
     Position place{};
     for (std::size_t i = 0; i < kAxes; ++i) {
-      const auto& [sign_y, sign_z] = diagonal(first, i);
-      place[i] = x + sign_y * y + sign_z * z;
+      const auto& [of_y, of_z] = diagonals[i];
+      place[i] = x + of_y * y + of_z * z;
     }
     return place;
   }
 
-  std::size_t first_;
+  Diagonals diagonals_;
   Position low_;
   Position high_;
 };

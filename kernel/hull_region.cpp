@@ -23,19 +23,16 @@ void decide(const Facets& facets, Site apex, std::size_t& hidden, Region& region
   region.unclear.hold(hidden);
 }
 
-/// Cuts off the facets that turned out to be hidden. Of their neighbours, those that are not within
-/// the range may be marked by others.
-void cut_off_unclear(Facets& facets, const Range& own, Region& region) {
+/// Cuts off the facets that turned out to be hidden.
+void cut_off_unclear(Facets& facets, Region& region) {
   for (const Ridge r : region.visible) facets.mark(facet_of(r)) = Mark::kVisible;
-  const std::size_t most = region.cut.size() + 4 * region.unclear.size();
   std::size_t size = region.cut.size();
-  Ridge* const cut = region.cut.room_for(most + 1);
-  for (const Ridge hidden : region.unclear) {
-    for (const Ridge r : facets.neighbors(facet_of(hidden))) {
-      const FacetIndex f = facet_of(r);
-      if (!own.owns(facets[f])) continue;
-      cut[size] = r;
-      size += facets.mark(f) == Mark::kVisible;
+  Ridge* const cut = region.cut.room_for(size + 4 * region.visible.size());
+  for (const Ridge r : region.visible) {
+    const auto& neighbors = facets.neighbors(facet_of(r));
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      cut[size] = ridge(facet_of(r), i);
+      size += facets.mark(facet_of(neighbors[i])) == Mark::kUnclear;
     }
   }
   region.cut.hold(size);
@@ -68,7 +65,7 @@ bool grow_region(Facets& facets, Site apex, FacetIndex seen, const Range& own, b
     if (hidden == region.unclear.size()) break;
     decide(facets, apex, hidden, region);
   }
-  if (hidden > 0) cut_off_unclear(facets, own, region);
+  if (hidden > 0) cut_off_unclear(facets, region);
   return true;
 }
 

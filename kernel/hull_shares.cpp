@@ -21,11 +21,14 @@
 // often: 1.01 and 1.02); threads that go on unless 16,384 or 65,536 sites are left for others.
 //     What passes by corners leave goes in by the centers of facets' spheres, cut across diagonals.
 // A torus has one medial axis around the tube and one through the hole: a cut across a diagonal
-// meets each in a few points, and two such cuts leave 0.5 % of all its points. A million points of
-// a torus: 340,000 were left to one thread, now some 10,000; two threads took 0.85 of one's time
-// for the whole complex, now 0.64. Not less, because points that go in on one side while the other
-// waits make large cavities. By centers from the start: 4 % of a cube's points wait and 20 % of a
-// bumpy sphere's, a torus takes as long. Points in portions of a quarter or an eighth: no faster.
+// meets each in a few points, half of all points have both their spheres on one side of it, and
+// nearly all others on one side of its mirror image. A million points of a torus: 340,000 were left
+// to one thread, now some 5,000. Two threads took 0.85 of one's time for the whole complex, 0.64
+// with diagonals in any order and passes that from half way on found no room for facets, and now
+// 0.53. (A tenth of what the hull takes two threads: ridges to facets that turn out to be hidden
+// are looked for at the visible ones, not at the hidden ones, whose other neighbours had to be
+// loaded to see whose they are.) By centers from the start: 4 % of a cube's points wait and
+// 20 % of a bumpy sphere's.
 //     What is left comes last, on one thread, and a point takes three times as long there: its
 // neighbourhood is in no cache. A thousand points per thread are worth another pass.
 #include "kernel/hull_shares.h"
@@ -185,8 +188,8 @@ std::size_t Shares::pass_by_corners(SiteSet& sites, std::size_t left, const Told
   std::size_t untried = 0;
   for (std::size_t k = 0; worth_sharing(left); ++k) {
     if (k > 0 && untried <= left / 2 && failing_from(k)) break;
-    const auto [tried, inserted] =
-        pass(sites, left, k, at_, by_corners, [&](std::size_t now) { told(all - left + now); });
+    const auto [tried, inserted] = pass(sites, left, {at_, axes_, k % kAxes}, by_corners,
+                                        [&](std::size_t now) { told(all - left + now); });
     untried = left - tried;
     left -= inserted;
     const bool failing = inserted <= tried / 4;
@@ -199,21 +202,25 @@ std::size_t Shares::pass_by_corners(SiteSet& sites, std::size_t left, const Told
   return left;
 }
 
-/// The same by the centers of facets' spheres, for what is left: each diagonal in turn.
+/// The same by the centers of facets' spheres, for what is left: each diagonal in turn, and after
+/// it its mirror image across the shortest side of the set. A point whose spheres on either side of
+/// a surface are on either side of the first cut has them on one side of that one.
 std::size_t Shares::pass_by_centers(SiteSet& sites, std::size_t left, const Told& told) {
   const std::size_t all = left;
   std::vector<Position> at(at_.size());
   std::size_t failing = 0;  // one after the other
   for (std::size_t k = 0; worth_sharing(left) && failing < 2; ++k) {
+    const Diagonals along = diagonals(axes_.back(), k);
     for (std::size_t b = 0; b < at.size(); ++b) {
-      at[b] = CenterBox::place(k, facets_.lifted({at_[b][0], at_[b][1], at_[b][2]}));
+      at[b] = CenterBox::place(along, facets_.lifted({at_[b][0], at_[b][1], at_[b][2]}));
     }
     const RangeOf by_centers = [&](const SiteRange& own, const Position& low,
                                    const Position& high) {
-      return Range(own, CenterBox(k, low, high));
+      return Range(own, CenterBox(along, low, high));
     };
     const auto told_in_pass = [&](std::size_t now) { told(all - left + now); };
-    const std::size_t inserted = pass(sites, left, 0, at, by_centers, told_in_pass).inserted;
+    const std::size_t inserted =
+        pass(sites, left, {at, {0, 1, 2}, 0}, by_centers, told_in_pass).inserted;
     failing = inserted <= left / 8 ? failing + 1 : 0;  // also where a thread has nothing to do
     left -= inserted;
   }
@@ -229,23 +236,22 @@ bool Shares::failing_from(std::size_t pass) const {
 bool Shares::worth_sharing(std::size_t count) const { return count / kWorthAThread >= own_.size(); }
 
 /// Of so many sites that are left.
-Inserter::Tally Shares::pass(SiteSet& sites, std::size_t left, std::size_t turn,
-                             const std::vector<Position>& at, const RangeOf& range_of,
-                             const Told& told) {
+Inserter::Tally Shares::pass(SiteSet& sites, std::size_t left, const Cuts& cuts,
+                             const RangeOf& range_of, const Told& told) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::size_t threads = own_.size();
   std::vector<Part> parts(threads);
   constexpr std::size_t kSamples = 2048;
-  std::vector<Sample> samples = sampled(at, sites, left, kSamples * threads);
+  std::vector<Sample> samples = sampled(cuts.at, sites, left, kSamples * threads);
   // Three halvings take all axes, in whatever order: not in the middle each time.
-  const Cutter cutter{axes_, turn % kAxes};
-  cutter.cut({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, samples, parts, turn);
+  const Cutter cutter{cuts.axes, cuts.first};
+  cutter.cut({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, samples, parts, cuts.first);
   std::vector<std::size_t> todo(threads);
   parallel_each(threads, [&](std::size_t t) {
     const Part part = parts[t];
     std::size_t sum = 0;
-    for (std::size_t b = 0; b < at.size(); ++b) {
-      const std::uint8_t own = part.contains(at[b]) ? 1 : 0;
+    for (std::size_t b = 0; b < cuts.at.size(); ++b) {
+      const std::uint8_t own = part.contains(cuts.at[b]) ? 1 : 0;
       own_[t][b + 1] = own;
       sum += own * sites.count_in(b);
     }
@@ -258,6 +264,7 @@ Inserter::Tally Shares::pass(SiteSet& sites, std::size_t left, std::size_t turn,
   parallel_each(threads, [&](std::size_t t) {
     const SetAtEnd at_end{over.set};
     tallies[t] = helpers_[t].insert_all(sites, [&, mine = todo[t]](std::size_t k) {
+      if (facets_.full()) return false;
       if (over.set.load(std::memory_order_relaxed) && worth_sharing(mine - k)) return false;
       if (t == 0 && k % kTellEvery == 0) told(k);
       return true;

@@ -39,10 +39,16 @@ class Shares {
   bool failing_from(std::size_t pass) const;
   std::size_t pass_by_corners(SiteSet& sites, std::size_t left, const Told& told);
   std::size_t pass_by_centers(SiteSet& sites, std::size_t left, const Told& told);
+  /// Cuts across these axes, this one of them first, by where blocks are.
+  struct Cuts {
+    const std::vector<Position>& at;
+    std::array<std::size_t, kAxes> axes;
+    std::size_t first;
+  };
   /// How a thread's part of space is its range.
   using RangeOf = std::function<Range(const SiteRange&, const Position& low, const Position& high)>;
-  Inserter::Tally pass(SiteSet& sites, std::size_t left, std::size_t turn,
-                       const std::vector<Position>& at, const RangeOf& range_of, const Told& told);
+  Inserter::Tally pass(SiteSet& sites, std::size_t left, const Cuts& cuts, const RangeOf& range_of,
+                       const Told& told);
 
   std::vector<Position> at_;  ///< a point of each block
   Facets& facets_;

@@ -209,7 +209,14 @@ class Construction {
     });
   }
 
+  /// Of a torus, early rounds leave 16 facets per point, and the last one 20: half as many again.
+  void reserve_for(const InsertionRound& round) {
+    const std::size_t per_16 = 24 * (facets_.size() - inserter_.unused()) / done_ + 1;
+    facets_.reserve(std::min(per_16 * ((done_ + round.size()) / 16 + 1), Facets::kMost));
+  }
+
   void insert_in_parallel(const InsertionRound& round, std::size_t threads) {
+    reserve_for(round);
     hull::SiteSet sites(points_.size());
     parallel_ranges(sites.block_count(), options_.threads, [&](std::size_t begin, std::size_t end) {
       const std::size_t end_site = std::min(end * hull::kBlock, points_.size());

@@ -2,6 +2,7 @@
 // they are given back.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -66,9 +67,24 @@ TEST_CASE("no room while shared, more after that") {
   std::size_t rooms = 0;
   while (facets.append(30'000).size() > 0) ++rooms;
   CHECK(rooms > 1);
+  CHECK(facets.full());
   CHECK(facets.append(30'000).size() == 0);
   facets.unshare();
+  CHECK_FALSE(facets.full());
   CHECK(facets.append(30'000).size() >= 30'000);
+}
+
+TEST_CASE("room that is made ahead is there while shared") {
+  Facets facets(sites(), 0);
+  const FacetRoom first = facets.append(5);
+  facets.corners(first.begin) = {4, 3, 2, 1};
+  facets.reserve(1'000'000);
+  facets.reserve(5);
+  CHECK((facets.corners(first.begin) == std::array<hull::Site, 4>{4, 3, 2, 1}));
+  facets.share();
+  while (facets.size() + 100'000 <= 1'000'000) REQUIRE(facets.append(30'000).size() > 0);
+  CHECK_FALSE(facets.full());
+  facets.unshare();
 }
 
 TEST_CASE("what is given back is gone at the end and dead elsewhere") {
