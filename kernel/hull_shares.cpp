@@ -186,13 +186,18 @@ std::size_t Shares::pass_by_corners(SiteSet& sites, std::size_t left, const Told
     return Range(own);
   };
   std::size_t untried = 0;
+  double first_share = 0;  // so much went in of what was tried for the first time
   for (std::size_t k = 0; worth_sharing(left); ++k) {
     if (k > 0 && untried <= left / 2 && failing_from(k)) break;
     const auto [tried, inserted] = pass(sites, left, {at_, axes_, k % kAxes}, by_corners,
                                         [&](std::size_t now) { told(all - left + now); });
+    // Whether little of what did not go in before went in now.
+    const auto anew = static_cast<double>(std::min(untried, tried));
+    const double again = static_cast<double>(tried) - anew;
+    const bool failing = static_cast<double>(inserted) - first_share * anew <= again / 4;
+    if (k == 0) first_share = static_cast<double>(inserted) / std::max(again, 1.0);
     untried = left - tried;
     left -= inserted;
-    const bool failing = inserted <= tried / 4;
     if (k < kAxes) {
       failing_[k] = failing;
     } else if (failing) {
@@ -209,7 +214,7 @@ std::size_t Shares::pass_by_centers(SiteSet& sites, std::size_t left, const Told
   const std::size_t all = left;
   std::vector<Position> at(at_.size());
   std::size_t failing = 0;  // one after the other
-  for (std::size_t k = 0; worth_sharing(left) && failing < 2; ++k) {
+  for (std::size_t k = 0; worth_sharing(left) && failing < 3; ++k) {
     const Diagonals along = diagonals(axes_.back(), k);
     for (std::size_t b = 0; b < at.size(); ++b) {
       at[b] = CenterBox::place(along, facets_.lifted({at_[b][0], at_[b][1], at_[b][2]}));
