@@ -25,7 +25,7 @@
 // nearly all others on one side of its mirror image. A million points of a torus: 340,000 were left
 // to one thread, now some 5,000. Two threads took 0.85 of one's time for the whole complex, 0.64
 // with diagonals in any order and passes that from half way on found no room for facets, and now
-// 0.53. (A tenth of what the hull takes two threads: ridges to facets that turn out to be hidden
+// 0.57. (A tenth of what the hull takes two threads: ridges to facets that turn out to be hidden
 // are looked for at the visible ones, not at the hidden ones, whose other neighbours had to be
 // loaded to see whose they are.) By centers from the start: 4 % of a cube's points wait and
 // 20 % of a bumpy sphere's.
